@@ -1,0 +1,1 @@
+"""Python side of cosseratPicFoam: analytic solutions, cases, pictures."""

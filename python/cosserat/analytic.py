@@ -1,0 +1,119 @@
+"""Analytic solutions of the planar Cosserat creeping flow.
+
+Numbers in brackets are the equations of Dufour, Muehlhaus and Moresi (2001),
+with the signs and factors of the consistent form: there, [22] has a factor
+2 etaC eta/(eta + etaC) and exchanges sinh and cosh, [25] the sign of g.
+
+SI units throughout; every function takes and returns numpy arrays.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Material:
+    """eta, etaC [Pa s] and R [m]."""
+
+    eta: float
+    etaC: float
+    R: float
+
+    @property
+    def M(self):
+        """Bending viscosity [Pa s m2], [17]."""
+        return 2*self.etaC*self.R**2
+
+    @property
+    def delta(self):
+        """Thickness of the boundary layer [m], [24]."""
+        return self.R*np.sqrt(0.5*(1 + self.etaC/self.eta))
+
+    @property
+    def factor(self):
+        """2 etaC delta/(eta + etaC) of the hyperbolic term in u."""
+        return 2*self.etaC*self.delta/(self.eta + self.etaC)
+
+
+def granular_contact(n, k, eta_n, eta_m):
+    """(eta, etaC, B) of a packing with contact dashpots, [14] to [16]."""
+    density = (1 - n)*k/(2*np.pi)
+    return 0.5*density*(eta_n + eta_m), density*eta_m, density*eta_n
+
+
+class ShearLayer:
+    """Infinite layer -h/2 <= y <= h/2 sheared by its walls, [18] to [24].
+
+    Given are two of: V = u(h/2) = -u(-h/2) [m/s] or sigma = sigma_xy [Pa],
+    and Omega = omega(+-h/2) [1/s] or mu = mu_zy(h/2) = -mu_zy(-h/2) [Pa m].
+    Where sigma is given, u is the odd solution.
+    """
+
+    def __init__(self, material, h, V=None, sigma=None, Omega=None, mu=None):
+        if (V is None) == (sigma is None) or (Omega is None) == (mu is None):
+            raise ValueError("one of V, sigma and one of Omega, mu")
+
+        self.material = m = material
+        self.h = h
+        sinh, cosh = np.sinh(h/(2*m.delta)), np.cosh(h/(2*m.delta))
+
+        if mu is not None:
+            b = mu*m.delta/(m.M*sinh)
+            a = sigma if V is None else 2*m.eta/h*(V + b*m.factor*sinh)
+        elif V is not None:
+            b = (V + Omega*h)/(h*cosh - m.factor*sinh)
+            a = 2*m.eta*(b*cosh - Omega)
+        else:
+            a = sigma
+            b = (Omega + sigma/(2*m.eta))/cosh
+
+        self.a, self.b = a, b
+
+    def u(self, y):
+        """Velocity along x [m/s]."""
+        m = self.material
+        return self.a*y/m.eta - m.factor*self.b*np.sinh(y/m.delta)
+
+    def omega(self, y):
+        """Microrotation [1/s]."""
+        m = self.material
+        return -self.a/(2*m.eta) + self.b*np.cosh(y/m.delta)
+
+    def couple_stress(self, y):
+        """mu_zy [Pa m]."""
+        m = self.material
+        return m.M*self.b/m.delta*np.sinh(y/m.delta)
+
+
+class GravityChannel:
+    """Channel -h/2 <= y <= h/2 with U = 0 and omega = 0 on its walls, driven
+    by G = rho g [N/m3] along x, [25] to [29]."""
+
+    def __init__(self, material, h, G):
+        self.material, self.h, self.G = material, h, G
+        m = material
+        self.B0 = -G*h/(4*m.eta*np.sinh(h/(2*m.delta)))
+
+    def u(self, y):
+        """Velocity along x [m/s]."""
+        m = self.material
+        return self.G*(self.h**2/4 - y**2)/(2*m.eta) + m.factor*self.B0*(
+            np.cosh(self.h/(2*m.delta)) - np.cosh(y/m.delta))
+
+    def omega(self, y):
+        """Microrotation [1/s]."""
+        m = self.material
+        return self.G*y/(2*m.eta) + self.B0*np.sinh(y/m.delta)
+
+
+def wall_velocity_no_rotation(material, h, sigma):
+    """u(h/2) for Omega = 0 and given sigma; [31] where eta = etaC."""
+    layer = ShearLayer(material, h, sigma=sigma, Omega=0)
+    return layer.u(h/2)
+
+
+def err(exact, numeric):
+    """Error norm of the paper, [30]."""
+    exact, numeric = np.asarray(exact), np.asarray(numeric)
+    return np.abs(exact - numeric).sum()/np.abs(numeric).sum()

@@ -1,0 +1,159 @@
+"""Cases: copy, change, run, read back.
+
+Only what the studies and tests need of OpenFOAM's formats: ascii fields and
+lists, one case directory, single-block or any mesh.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+TUTORIALS = ROOT/"tutorials"
+
+
+class RunError(RuntimeError):
+    """A program of the case failed; the message ends with its log."""
+
+
+class Case:
+    """A case directory."""
+
+    def __init__(self, path):
+        self.path = Path(path)
+
+    @classmethod
+    def copy(cls, source, target):
+        """A clean copy of a case, with its 0.orig as 0."""
+        source, target = Path(source), Path(target)
+        shutil.copytree(
+            source, target, dirs_exist_ok=True,
+            ignore=shutil.ignore_patterns(
+                "[1-9]*", "0", "0.*[0-9]", "processor*", "log.*",
+                "postProcessing", "polyMesh", "*.png"))
+        case = cls(target)
+        case.restore()
+        return case
+
+    def restore(self):
+        """Copy 0.orig to 0."""
+        shutil.rmtree(self.path/"0", ignore_errors=True)
+        shutil.copytree(self.path/"0.orig", self.path/"0")
+
+    def set(self, file, **entries):
+        """Set entries of a dictionary; a dot in a name goes one level down,
+        an underscore stays: set("system/x", **{"a.b": 1})."""
+        for key, value in entries.items():
+            self.run("foamDictionary", file, "-entry", key, "-set", str(value),
+                     log=None)
+        return self
+
+    def run(self, *command, log=True, check=True, ranks=1):
+        """Run a program in the case; its output goes to log.<program>."""
+        command = [str(c) for c in command]
+        name = command[0]
+        if ranks > 1:
+            command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
+        done = subprocess.run(
+            command, cwd=self.path, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT, text=True, check=False)
+        if log:
+            (self.path/f"log.{name}").write_text(done.stdout)
+        if check and done.returncode:
+            raise RunError(f"{' '.join(command)} in {self.path} ended with "
+                           f"{done.returncode}:\n{done.stdout[-3000:]}")
+        return done
+
+    def log(self, program="cosseratPicFoam"):
+        """Log of a program that was run."""
+        return (self.path/f"log.{program}").read_text()
+
+    def times(self):
+        """Time directories as names, in the order of time, without 0."""
+        names = [d.name for d in self.path.iterdir()
+                 if d.is_dir() and re.fullmatch(r"\d+(\.\d*)?(e-?\d+)?", d.name)
+                 and float(d.name) > 0]
+        return sorted(names, key=float)
+
+    def field(self, name, time=None):
+        """Internal field, shape (nCells,) or (nCells, components)."""
+        time = self.times()[-1] if time is None else time
+        text = (self.path/str(time)/name).read_text()
+        start = text.index("internalField")
+        return parse_list(text[start + len("internalField"):], self.n_cells())
+
+    def patch_field(self, name, patch, time=None):
+        """Values of a field on a patch."""
+        time = self.times()[-1] if time is None else time
+        text = (self.path/str(time)/name).read_text()
+        text = text[text.index("boundaryField"):]
+        text = text[re.search(rf"^\s*{patch}\s*\n", text, re.M).end():]
+        return parse_list(re.search(r"value\s", text).string[
+            re.search(r"value\s", text).end():], None)
+
+    def n_cells(self):
+        """Number of cells of the mesh."""
+        head = (self.path/"constant/polyMesh/owner").read_text(
+            errors="replace")[:2000]
+        return int(re.search(r"nCells:\s*(\d+)", head).group(1))
+
+    def centres(self):
+        """Cell centres, shape (nCells, 3)."""
+        if not (self.path/"0/C").exists():
+            self.run("postProcess", "-func", "writeCellCentres", "-time", "0",
+                     log=None)
+        return self.field("C", 0)
+
+    def volumes(self):
+        """Cell volumes."""
+        if not (self.path/"0/V").exists():
+            self.run("postProcess", "-func", "writeCellVolumes", "-time", "0",
+                     log=None)
+        return self.field("V", 0)
+
+    def cloud(self, name, time=None, cloud="materialPoints"):
+        """Field of a cloud; 'positions' gives shape (nPoints, 3)."""
+        time = self.times()[-1] if time is None else time
+        text = (self.path/str(time)/"lagrangian"/cloud/name).read_text()
+        body = text[text.index("// * *"):]
+        if name == "positions":
+            rows = re.findall(r"\(([-\d.e+]+) ([-\d.e+]+) ([-\d.e+]+)\)", body)
+            return np.array(rows, float).reshape(-1, 3)
+        return parse_list("nonuniform List<scalar> " + body, None)
+
+
+def parse_list(text, n_uniform):
+    """Values of 'uniform v;' or 'nonuniform List<type> n (...)'."""
+    head = text.lstrip()
+    if head.startswith("uniform"):
+        value = head[len("uniform"):head.index(";")]
+        row = np.array(re.findall(r"[-\d.e+]+", value), float)
+        n = n_uniform or 1
+        return np.full(n, row[0]) if len(row) == 1 else np.tile(row, (n, 1))
+
+    match = re.search(r"(\d+)\s*\(|(\d+)\s*\{([^}]*)\}", head)
+    if match.group(2):
+        return np.full(int(match.group(2)), float(match.group(3)))
+    n, start = int(match.group(1)), match.end()
+    end = head.find("\n)", start)
+    flat = head[start:end if end >= 0 else head.index(")", start)]
+    values = np.array(flat.replace("(", " ").replace(")", " ").split(), float)
+    return values if len(values) == n else values.reshape(n, -1)
+
+
+def residuals(log):
+    """Rows (iterations, final residuals...) of the solves in a log."""
+    pattern = (r"FGMRES:  Solving for (\S+), Initial residual = (\S+), "
+               r"Final residual = (\S+), No Iterations (\d+)")
+    return [(field, float(initial), float(final), int(n))
+            for field, initial, final, n in re.findall(pattern, log)]
+
+
+def environment():
+    """Stop with a plain word where the project's environment is not set."""
+    if "COSSERATPIC_APPBIN" not in os.environ:
+        raise SystemExit("source etc/bashrc first")

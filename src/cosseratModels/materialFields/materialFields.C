@@ -1,0 +1,332 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialFields.H"
+#include "checkedEntry.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::materialFields::averageType>
+Foam::materialFields::averageTypeNames
+({
+    { averageType::ARITHMETIC, "arithmetic" },
+    { averageType::GEOMETRIC, "geometric" },
+    { averageType::HARMONIC, "harmonic" }
+});
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::PtrList<Foam::material> Foam::materialFields::readMaterials() const
+{
+    const dictionary& all = dict_.subDict("materials");
+    PtrList<material> materials(all.size());
+    label n = 0;
+
+    for (const entry& e : all)
+    {
+        if (!e.isDict())
+        {
+            checkedEntry::refuse
+            (
+                all, e.keyword(), "no dictionary", "one dictionary a material"
+            );
+        }
+        materials.set(n++, new material(e.keyword(), e.dict()));
+    }
+
+    if (n == 0)
+    {
+        checkedEntry::refuse
+        (
+            dict_, "materials", "empty", "one dictionary a material"
+        );
+    }
+
+    return materials;
+}
+
+
+Foam::materialFields::averageType Foam::materialFields::readAverage
+(
+    const word& key
+) const
+{
+    return averageTypeNames.getOrDefault
+    (
+        key, dict_, averageType::ARITHMETIC
+    );
+}
+
+
+Foam::volScalarField Foam::materialFields::newField
+(
+    const word& name,
+    const dimensionedScalar& value
+) const
+{
+    return volScalarField
+    (
+        IOobject
+        (
+            name,
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        ),
+        mesh_,
+        dimensionedScalar(name, value.dimensions(), value.value()),
+        zeroGradientFvPatchScalarField::typeName
+    );
+}
+
+
+void Foam::materialFields::average
+(
+    volScalarField& field,
+    const scalarList& values,
+    const averageType rule
+) const
+{
+    scalarField& q = field.primitiveFieldRef();
+    q = rule == averageType::GEOMETRIC ? 1 : 0;
+
+    forAll(alphas_, m)
+    {
+        const scalarField& alpha = alphas_[m].primitiveField();
+        const scalar value = values[m];
+
+        switch (rule)
+        {
+            case averageType::ARITHMETIC:
+            {
+                q += alpha*value;
+                break;
+            }
+            case averageType::GEOMETRIC:
+            {
+                q *= pow(scalarField(q.size(), value), alpha);
+                break;
+            }
+            case averageType::HARMONIC:
+            {
+                // A material without the property leaves none to the cell
+                q += alpha/max(value, VSMALL);
+                break;
+            }
+        }
+    }
+
+    if (rule == averageType::HARMONIC)
+    {
+        const scalar largest = max(values);
+        forAll(q, celli)
+        {
+            q[celli] = largest*q[celli] > 1/SMALL ? 0 : 1/q[celli];
+        }
+    }
+
+    field.correctBoundaryConditions();
+}
+
+
+void Foam::materialFields::checkFractions() const
+{
+    const scalarField& V = mesh_.V();
+    scalarField sum(V.size(), Zero);
+
+    for (const volScalarField& alpha : alphas_)
+    {
+        sum += alpha.primitiveField();
+    }
+
+    forAll(sum, celli)
+    {
+        if (mag(sum[celli] - 1) > 1e-6)
+        {
+            FatalErrorInFunction
+                << "Material fractions of cell " << celli << " at "
+                << mesh_.C()[celli] << " sum to " << sum[celli]
+                << " instead of 1, time " << mesh_.time().timeName() << nl
+                << "    Fractions are " << names() << " as fields alpha.<name>"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::materialFields::materialFields(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    dict_
+    (
+        IOobject
+        (
+            "materialProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    materials_(readMaterials()),
+    viscosityAverage_(readAverage("viscosityAverage")),
+    densityAverage_(readAverage("densityAverage")),
+    alphas_(materials_.size() > 1 ? materials_.size() : 0),
+    rho_(newField("rho", materials_[0].rho())),
+    eta_(newField("eta", materials_[0].law().eta())),
+    etaC_(newField("etaC", materials_[0].law().etaC())),
+    M_(newField("M", materials_[0].law().M())),
+    invB_(newField("invB", materials_[0].law().invB())),
+    fractionsRead_(true)
+{
+    forAll(alphas_, m)
+    {
+        IOobject io
+        (
+            IOobject::groupName("alpha", materials_[m].name()),
+            mesh.time().timeName(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        );
+
+        fractionsRead_ =
+            io.typeHeaderOk<volScalarField>(true) && fractionsRead_;
+
+        alphas_.set
+        (
+            m,
+            new volScalarField
+            (
+                io,
+                mesh,
+                dimensionedScalar(dimless, Zero),
+                zeroGradientFvPatchScalarField::typeName
+            )
+        );
+    }
+
+    Info<< "Materials" << nl;
+    for (const material& m : materials_)
+    {
+        m.print(Info);
+    }
+    if (alphas_.size())
+    {
+        Info<< "    viscosityAverage "
+            << averageTypeNames[viscosityAverage_] << ", densityAverage "
+            << averageTypeNames[densityAverage_] << nl;
+    }
+    Info<< endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::materialFields::names() const
+{
+    wordList names(materials_.size());
+    forAll(materials_, m)
+    {
+        names[m] = materials_[m].name();
+    }
+    return names;
+}
+
+
+void Foam::materialFields::correct()
+{
+    if (alphas_.empty())
+    {
+        return;
+    }
+
+    checkFractions();
+
+    const label n = materials_.size();
+    scalarList rho(n), eta(n), etaC(n), M(n), invB(n);
+
+    forAll(materials_, m)
+    {
+        const viscosityLaw& law = materials_[m].law();
+        rho[m] = materials_[m].rho().value();
+        eta[m] = law.eta().value();
+        etaC[m] = law.etaC().value();
+        M[m] = law.M().value();
+        invB[m] = law.invB().value();
+    }
+
+    average(rho_, rho, densityAverage_);
+    average(eta_, eta, viscosityAverage_);
+    average(etaC_, etaC, viscosityAverage_);
+    average(M_, M, viscosityAverage_);
+    // Volume changes of the materials of a cell add up
+    average(invB_, invB, averageType::ARITHMETIC);
+}
+
+
+bool Foam::materialFields::cosserat() const
+{
+    for (const material& m : materials_)
+    {
+        if (m.law().etaC().value() > 0)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+bool Foam::materialFields::compressible() const
+{
+    for (const material& m : materials_)
+    {
+        if (m.law().invB().value() > 0)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+bool Foam::materialFields::heavy() const
+{
+    for (const material& m : materials_)
+    {
+        if (m.rho().value() > 0)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+// ************************************************************************* //

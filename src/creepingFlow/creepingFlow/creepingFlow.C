@@ -1,0 +1,335 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "creepingFlow.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(creepingFlow, 0);
+}
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    static IOobject fieldIO
+    (
+        const word& name,
+        const fvMesh& mesh,
+        const IOobject::readOption read
+    )
+    {
+        return IOobject
+        (
+            name, mesh.time().timeName(), mesh, read, IOobject::AUTO_WRITE
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::dictionary Foam::creepingFlow::preconditionerControls() const
+{
+    dictionary controls;
+    controls.add("preconditioner", word("GAMG"));
+    controls.add("nVcycles", 1);
+    controls.add("smoother", word("GaussSeidel"));
+    controls.add("tolerance", 1e-10);
+    controls.add("relTol", 0.01);
+    controls.merge(controls_.subOrEmptyDict("preconditioner"));
+
+    return controls;
+}
+
+
+bool Foam::creepingFlow::readGoOn() const
+{
+    const word choice
+    (
+        controls_.getOrDefault<word>("notConverged", "error")
+    );
+
+    if (choice != "error" && choice != "warn")
+    {
+        FatalIOErrorInFunction(controls_)
+            << "Entry 'notConverged' is " << choice << nl
+            << "    Allowed: error, warn" << exit(FatalIOError);
+    }
+
+    return choice == "warn";
+}
+
+
+Foam::volScalarField Foam::creepingFlow::readOmega() const
+{
+    if (materials_.cosserat())
+    {
+        return volScalarField
+        (
+            fieldIO("omega", mesh_, IOobject::MUST_READ), mesh_
+        );
+    }
+
+    return volScalarField
+    (
+        fieldIO("omega", mesh_, IOobject::NO_READ),
+        mesh_,
+        dimensionedScalar(dimless/dimTime, Zero),
+        "calculated"
+    );
+}
+
+
+void Foam::creepingFlow::checkLoads() const
+{
+    scalar net, magnitude;
+
+    if (system_.pressureFloats())
+    {
+        system_.netInflow(net, magnitude);
+
+        if (mag(net) > 1e-8*magnitude)
+        {
+            FatalErrorInFunction
+                << "The given velocities bring in " << net
+                << " m3/s net, of " << magnitude << " m3/s in all, into a"
+                << " closed and incompressible body" << nl
+                << "    Allowed: none net, or a patch with given p_rgh, or a"
+                << " finite bulk viscosity B" << exit(FatalError);
+        }
+    }
+
+    for (label i = 0; i < motions_.size(); ++i)
+    {
+        const vector direction(motions_.direction(i));
+        system_.netForce(direction, net, magnitude);
+
+        if (mag(net) > 1e-6*magnitude)
+        {
+            FatalErrorInFunction
+                << "No wall holds the body along " << direction
+                << ", but a net force of " << net << " N acts on it, of "
+                << magnitude << " N in all" << nl
+                << "    Allowed: tractions and gravity in balance, or a"
+                << " velocity given on some patch" << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::creepingFlow::pack()
+{
+    const label n = system_.nCells();
+    x_.setSize(system_.size());
+
+    SubList<scalar>(x_, n, 0) = U_.primitiveField().component(frame_.i0())();
+    SubList<scalar>(x_, n, n) = U_.primitiveField().component(frame_.i1())();
+    SubList<scalar>(x_, n, 2*n) = pRgh_.primitiveField();
+
+    if (system_.cosserat())
+    {
+        SubList<scalar>(x_, n, 3*n) = omega_.primitiveField();
+        for (label celli = 0; celli < n; ++celli)
+        {
+            if (system_.rotationUndetermined(celli))
+            {
+                x_[3*n + celli] = 0;
+            }
+        }
+    }
+}
+
+
+void Foam::creepingFlow::unpack()
+{
+    const label n = system_.nCells();
+    const vector e(frame_.e());
+    const tmp<volTensorField> tgrad(system_.gradU());
+    const tensorField& grad = tgrad().primitiveField();
+
+    forAll(U_, celli)
+    {
+        U_[celli] = frame_.inSpace(x_[celli], x_[n + celli]);
+        pRgh_[celli] = x_[2*n + celli];
+        omega_[celli] =
+            system_.cosserat() && !system_.rotationUndetermined(celli)
+          ? x_[3*n + celli]
+          : e & (*skew(grad[celli]));
+    }
+
+    p_.primitiveFieldRef() = pRgh_.primitiveField() + system_.rhoGh();
+
+    // Coupled patches by evaluation, then the others as the system has them
+    U_.correctBoundaryConditions();
+    omega_.correctBoundaryConditions();
+    p_.correctBoundaryConditions();
+
+    for (const label patchi : boundary_.patches())
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        const labelUList& cells = patch.faceCells();
+
+        vectorField Ub(patch.size());
+        scalarField omegab(patch.size()), pb(patch.size()), rghb(patch.size());
+        forAll(patch, i)
+        {
+            const label slot = halo_.start(patchi) + i;
+            Ub[i] = system_.boundaryVelocity(slot);
+            omegab[i] =
+                system_.cosserat()
+             && !system_.rotationUndetermined(cells[i])
+              ? system_.boundaryRotation(slot)
+              : omega_[cells[i]];
+            pb[i] = system_.boundaryPressure(slot);
+            rghb[i] = system_.rhoGh()[cells[i]];
+        }
+
+        U_.boundaryFieldRef()[patchi] == Ub;
+        omega_.boundaryFieldRef()[patchi] == omegab;
+        pRgh_.boundaryFieldRef()[patchi] == pb;
+        p_.boundaryFieldRef()[patchi] == pb + rghb;
+    }
+
+    system_.getFluxes(phi_);
+}
+
+
+void Foam::creepingFlow::report()
+{
+    const word names[] = {"U", pRgh_.name(), "omega"};
+
+    for (label i = 0; i < system_.nBlocks() - 1; ++i)
+    {
+        Info<< "FGMRES:  Solving for " << names[i]
+            << ", Initial residual = " << performance_.initial[i]
+            << ", Final residual = " << performance_.final[i]
+            << ", No Iterations " << performance_.iterations << endl;
+    }
+
+    if (performance_.converged)
+    {
+        return;
+    }
+
+    ++nUnconverged_;
+
+    if (goOn_)
+    {
+        WarningInFunction
+            << "not converged at time " << mesh_.time().timeName()
+            << " after " << performance_.iterations
+            << " iterations; going on, since notConverged is warn" << endl;
+    }
+    else
+    {
+        FatalErrorInFunction
+            << "Flow not converged at time " << mesh_.time().timeName()
+            << " after " << performance_.iterations << " iterations:"
+            << " residuals of U, p_rgh, omega " << performance_.final << nl
+            << "    Cures, in system/fvSolution, creepingFlow: a larger"
+            << " maxIter or nDirections, nVcycles 2 in preconditioner, a"
+            << " larger tolerance; or notConverged warn, to go on all the same"
+            << exit(FatalError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::creepingFlow::creepingFlow(const materialFields& materials)
+:
+    regIOobject
+    (
+        IOobject
+        (
+            typeName,
+            materials.mesh().time().timeName(),
+            materials.mesh(),
+            IOobject::NO_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    mesh_(materials.mesh()),
+    materials_(materials),
+    controls_(mesh_.solutionDict().subOrEmptyDict(typeName)),
+    goOn_(readGoOn()),
+    U_(fieldIO("U", mesh_, IOobject::MUST_READ), mesh_),
+    pRgh_(fieldIO("p_rgh", mesh_, IOobject::MUST_READ), mesh_),
+    p_
+    (
+        fieldIO("p", mesh_, IOobject::NO_READ),
+        mesh_,
+        dimensionedScalar(dimPressure, Zero),
+        "calculated"
+    ),
+    omega_(readOmega()),
+    phi_
+    (
+        fieldIO("phi", mesh_, IOobject::NO_READ),
+        mesh_,
+        dimensionedScalar(dimVolume/dimTime, Zero)
+    ),
+    frame_(mesh_),
+    halo_(mesh_, frame_),
+    boundary_(frame_, halo_, U_, pRgh_, omega_, materials.cosserat()),
+    system_(mesh_, frame_, halo_, boundary_, materials),
+    preconditioner_(system_, halo_, preconditionerControls()),
+    motions_(system_),
+    solver_
+    (
+        (Info<< "Creeping flow" << nl, system_), preconditioner_, motions_,
+        controls_
+    ),
+    nUnconverged_(0)
+{
+    Info<< "    preconditioner " << preconditionerControls();
+    Info<< endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::creepingFlow::solve()
+{
+    boundary_.update();
+    system_.update();
+    preconditioner_.update();
+
+    if (boundary_.maybeFloating())
+    {
+        motions_.find(preconditioner_.weights());
+    }
+
+    checkLoads();
+    pack();
+    performance_ = solver_.solve(x_);
+    unpack();
+    report();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,94 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "creepingFlow.H"
+#include "fvcGrad.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::volTensorField> Foam::creepingFlow::stress() const
+{
+    // e_kij of gamma_ij = u_i,j + e_kij omega_k                             [5]
+    const tensor permutation(-(*frame_.e()));
+
+    const volTensorField gamma(gradU()().T() + omega_*permutation);
+
+    tmp<volTensorField> tsigma
+    (
+        volTensorField::New
+        (
+            "sigma",
+            (materials_.eta() + materials_.etaC())*gamma
+          + (materials_.eta() - materials_.etaC())*gamma.T()
+          - p_*tensor::I
+        )
+    );
+
+    if (materials_.compressible())
+    {
+        tsigma.ref() -= materials_.eta()*tr(gamma)*tensor::I;
+    }
+
+    return tsigma;
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::creepingFlow::coupleStress() const
+{
+    return volVectorField::New
+    (
+        "coupleStress",
+        materials_.M()*fvc::grad(omega_, "linear")
+    );
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::creepingFlow::dissipation() const
+{
+    const tmp<volTensorField> tgrad(gradU());
+    const volSymmTensorField D(symm(tgrad()));
+    const volScalarField s(omega_ - (frame_.e() & (*skew(tgrad()))));
+
+    tmp<volScalarField> tdissipation
+    (
+        volScalarField::New
+        (
+            "dissipation",
+            2*materials_.eta()*(D && D)
+          + 4*materials_.etaC()*sqr(s)
+          + materials_.M()*magSqr(fvc::grad(omega_, "linear"))
+        )
+    );
+
+    if (materials_.compressible())
+    {
+        // (B - eta) tr(D)^2, with B tr(D) = -p
+        tdissipation.ref() -=
+            (p_ + materials_.eta()*tr(D))*tr(D);
+    }
+
+    return tdissipation;
+}
+
+
+// ************************************************************************* //

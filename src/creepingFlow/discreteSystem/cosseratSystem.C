@@ -1,0 +1,548 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cosseratSystem.H"
+#include "coupledPolyPatch.H"
+#include "surfaceFields.H"
+#include "uniformDimensionedFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::cosseratSystem::setGeometry()
+{
+    const surfaceVectorField& Sf = mesh_.Sf();
+    const surfaceScalarField& magSf = mesh_.magSf();
+    const surfaceScalarField& dc = mesh_.nonOrthDeltaCoeffs();
+    const surfaceScalarField& w = mesh_.weights();
+    const surfaceVectorField delta(mesh_.delta());
+    const volVectorField& C = mesh_.C();
+
+    const label i0 = frame_.i0(), i1 = frame_.i1();
+
+    own_.setSize(nFaces_);
+    nei_.setSize(nFaces_);
+    for (scalarField* field : {&n0_, &n1_, &S_, &dc_, &w_, &k0_, &k1_})
+    {
+        field->setSize(nFaces_);
+    }
+
+    scalar largestAngle = 0;
+
+    auto setFace = [&]
+    (
+        const label f,
+        const vector& S,
+        const scalar magS,
+        const scalar dcf,
+        const scalar wf,
+        const vector& d
+    )
+    {
+        n0_[f] = S[i0]/magS;
+        n1_[f] = S[i1]/magS;
+        S_[f] = magS;
+        dc_[f] = dcf;
+        w_[f] = wf;
+        k0_[f] = n0_[f] - dcf*d[i0];
+        k1_[f] = n1_[f] - dcf*d[i1];
+        largestAngle = max(largestAngle, sqr(k0_[f]) + sqr(k1_[f]));
+    };
+
+    for (label f = 0; f < nInternal_; ++f)
+    {
+        own_[f] = mesh_.owner()[f];
+        nei_[f] = mesh_.neighbour()[f];
+        setFace(f, Sf[f], magSf[f], dc[f], w[f], delta[f]);
+    }
+
+    DynamicList<labelPair> ranges;
+    DynamicList<label> oneSided;
+    ranges.append(labelPair(0, nInternal_));
+
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        const label start = nInternal_ + halo_.start(patchi) - nCells_;
+
+        forAll(patch, i)
+        {
+            const label f = start + i;
+            const vector& S = Sf.boundaryField()[patchi][i];
+            const scalar magS = magSf.boundaryField()[patchi][i];
+
+            own_[f] = patch.faceCells()[i];
+            nei_[f] = halo_.start(patchi) + i;
+
+            if (patch.coupled())
+            {
+                setFace
+                (
+                    f, S, magS,
+                    dc.boundaryField()[patchi][i],
+                    w.boundaryField()[patchi][i],
+                    delta.boundaryField()[patchi][i]
+                );
+            }
+            else
+            {
+                const vector d
+                (
+                    mesh_.Cf().boundaryField()[patchi][i] - C[own_[f]]
+                );
+                setFace(f, S, magS, magS/(S & d), 1, d);
+                oneSided.append(f);
+            }
+        }
+
+        if (patch.coupled() && patch.size())
+        {
+            ranges.append(labelPair(start, start + patch.size()));
+        }
+    }
+
+    twoSided_ = ranges;
+    oneSided_ = oneSided;
+    lambda_ = 1 - w_;
+
+    nonOrthogonal_ = returnReduce(largestAngle, maxOp<scalar>()) > 1e-10;
+}
+
+
+void Foam::cosseratSystem::setReconstruction()
+{
+    for (scalarField* T : {&T00_, &T01_, &T11_})
+    {
+        T->setSize(nCells_);
+        *T = 0;
+    }
+
+    auto add = [&](const label celli, const label f)
+    {
+        T00_[celli] += S_[f]*n0_[f]*n0_[f];
+        T01_[celli] += S_[f]*n0_[f]*n1_[f];
+        T11_[celli] += S_[f]*n1_[f]*n1_[f];
+    };
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            add(own_[f], f);
+            if (nei_[f] < nCells_)
+            {
+                add(nei_[f], f);
+            }
+        }
+    }
+    for (const label f : oneSided_)
+    {
+        if (boundary_.pressureFixed(f - nInternal_))
+        {
+            add(own_[f], f);
+        }
+    }
+
+    // Inverse, or the pseudo-inverse for a cell with a single face that counts
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        const scalar a = T00_[celli], b = T01_[celli], c = T11_[celli];
+        const scalar trace = a + c;
+        const scalar det = a*c - b*b;
+
+        if (det > 1e-6*sqr(trace))
+        {
+            T00_[celli] = c/det;
+            T01_[celli] = -b/det;
+            T11_[celli] = a/det;
+        }
+        else if (trace > 0)
+        {
+            T00_[celli] = a/sqr(trace);
+            T01_[celli] = b/sqr(trace);
+            T11_[celli] = c/sqr(trace);
+        }
+    }
+}
+
+
+void Foam::cosseratSystem::setFaceCoefficients()
+{
+    for (scalarField* field : {&Kn_, &Kt_, &Kq_})
+    {
+        field->setSize(nFaces_);
+    }
+    if (cosserat_)
+    {
+        for (scalarField* field : {&KwP_, &KwN_, &KsP_, &KsN_, &Km_})
+        {
+            field->setSize(nFaces_);
+        }
+    }
+    if (compressible_)
+    {
+        Kb_.setSize(nFaces_);
+    }
+
+    DynamicList<label> jump;
+    DynamicList<scalar> jumpW, jumpC;
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const label P = own_[f], N = nei_[f];
+            const scalar lP = lambda_[f], lN = 1 - lP;
+            const scalar a = 1/(lP/a_[P] + lN/a_[N]);
+            const scalar eta = 1/(lP/eta_[P] + lN/eta_[N]);
+
+            Kn_[f] = 2*eta*dc_[f]*S_[f];
+            Kt_[f] = a*dc_[f]*S_[f];
+            Kq_[f] = a*S_[f]*(lP*b_[P]/a_[P] + lN*b_[N]/a_[N]);
+
+            if (cosserat_)
+            {
+                KwP_[f] = a*S_[f]*lP*2*es_[P]/a_[P];
+                KwN_[f] = a*S_[f]*lN*2*es_[N]/a_[N];
+                KsP_[f] = a*S_[f]*lP*2*(etaC_[P] - es_[P])/a_[P];
+                KsN_[f] = a*S_[f]*lN*2*(etaC_[N] - es_[N])/a_[N];
+
+                Km_[f] =
+                    M_[P] > 0 && M_[N] > 0
+                  ? dc_[f]*S_[f]/(lP/M_[P] + lN/M_[N])
+                  : 0;
+            }
+            if (compressible_)
+            {
+                Kb_[f] = eta*S_[f];
+            }
+
+            if
+            (
+                mag(a_[P] - a_[N]) > 1e-12*a_[P]
+             || mag(b_[P] - b_[N]) > 1e-12*a_[P]
+            )
+            {
+                const scalar kP = a_[P]/lP, kN = a_[N]/lN;
+                jump.append(f);
+                jumpW.append(kP/(kP + kN));
+                jumpC.append(1/(dc_[f]*(kP + kN)));
+            }
+        }
+    }
+
+    for (const label f : oneSided_)
+    {
+        const label P = own_[f];
+        Kn_[f] = 2*eta_[P]*dc_[f]*S_[f];
+        Kt_[f] = a_[P]*dc_[f]*S_[f];
+        Kq_[f] = b_[P]*S_[f];
+        if (cosserat_)
+        {
+            KwP_[f] = KwN_[f] = es_[P]*S_[f];
+            KsP_[f] = 2*(etaC_[P] - es_[P])*S_[f];
+            KsN_[f] = 0;
+            Km_[f] = M_[P]*dc_[f]*S_[f];
+        }
+        if (compressible_)
+        {
+            Kb_[f] = eta_[P]*S_[f];
+        }
+    }
+
+    jump_ = jump;
+    jumpW_ = jumpW;
+    jumpC_ = jumpC;
+    anyJump_ = returnReduce(jump_.size() > 0, orOp<bool>());
+}
+
+
+void Foam::cosseratSystem::setGravity()
+{
+    gravity_.setSize(nFaces_);
+    gravity_ = 0;
+    rhoGh_ = scalarField(nCells_, Zero);
+
+    if (!materials_.heavy())
+    {
+        return;
+    }
+
+    const vector g
+    (
+        mesh_.time().lookupObject<uniformDimensionedVectorField>("g").value()
+    );
+
+    // The part along a cyclic direction cannot be the gradient of a periodic
+    // pressure
+    vector gCyclic(Zero);
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (isA<coupledPolyPatch>(pp) && pp.size())
+        {
+            const coupledPolyPatch& cpp = refCast<const coupledPolyPatch>(pp);
+            if (cpp.parallel() && cpp.separated())
+            {
+                const vector along(normalised(cpp.separation()[0]));
+                gCyclic = gCyclic - (gCyclic & along)*along
+                  + (g & along)*along;
+            }
+        }
+    }
+    reduce(gCyclic, maxMagSqrOp<vector>());
+
+    const vector gRest(g - gCyclic);
+    const scalarField& rho = materials_.rho().primitiveField();
+    const vectorField& C = mesh_.C().primitiveField();
+
+    rhoGh_ = rho*(gRest & C);
+
+    scalarField rhoExt(halo_.size());
+    SubList<scalar>(rhoExt, nCells_) = rho;
+    halo_.swap("s", {&rhoExt});
+
+    const label i0 = frame_.i0(), i1 = frame_.i1();
+
+    auto setFace = [&](const label f, const vector& Cf)
+    {
+        const label P = own_[f], N = nei_[f];
+        gravity_[f] =
+            w_[f]*rhoExt[P]*(gCyclic[i0]*n0_[f] + gCyclic[i1]*n1_[f])
+          + (1 - w_[f])*rhoExt[N]*(gCyclic[i0]*n0_[f] + gCyclic[i1]*n1_[f])
+          - (gRest & Cf)*dc_[f]*(rhoExt[N] - rhoExt[P]);
+    };
+
+    const surfaceVectorField& Cf = mesh_.Cf();
+    for (label f = 0; f < nInternal_; ++f)
+    {
+        setFace(f, Cf[f]);
+    }
+    for (const label patchi : halo_.coupledPatches())
+    {
+        const label start = nInternal_ + halo_.start(patchi) - nCells_;
+        forAll(Cf.boundaryField()[patchi], i)
+        {
+            setFace(start + i, Cf.boundaryField()[patchi][i]);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::cosseratSystem::cosseratSystem
+(
+    const fvMesh& mesh,
+    const planarFrame& frame,
+    const haloExchange& halo,
+    const flowBoundary& boundary,
+    const materialFields& materials
+)
+:
+    mesh_(mesh),
+    frame_(frame),
+    halo_(halo),
+    boundary_(boundary),
+    materials_(materials),
+    cosserat_(materials.cosserat()),
+    compressible_(materials.compressible()),
+    nonOrthogonal_(false),
+    nCells_(mesh.nCells()),
+    nInternal_(mesh.nInternalFaces()),
+    nFaces_(nInternal_ + halo.size() - nCells_),
+    V_(mesh.V()),
+    anyJump_(false)
+{
+    setGeometry();
+    setReconstruction();
+
+    for
+    (
+        scalarField* field :
+        {&eta_, &etaC_, &M_, &rAU_, &u0_, &u1_, &p_, &omega_,
+         &G00_, &G01_, &G10_, &G11_, &f0_, &f1_}
+    )
+    {
+        field->setSize(halo_.size());
+        *field = 0;
+    }
+
+    for (scalarField* field : {&ff_, &phi_})
+    {
+        field->setSize(nFaces_);
+        *field = 0;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::cosseratSystem::update()
+{
+    SubList<scalar>(eta_, nCells_) = materials_.eta().primitiveField();
+    SubList<scalar>(etaC_, nCells_) = materials_.etaC().primitiveField();
+    SubList<scalar>(M_, nCells_) = materials_.M().primitiveField();
+    halo_.swap("sss", {&eta_, &etaC_, &M_});
+
+    // Slots of walls are not read; they must not divide by zero either
+    for (const label f : oneSided_)
+    {
+        eta_[nei_[f]] = eta_[own_[f]];
+        etaC_[nei_[f]] = etaC_[own_[f]];
+        M_[nei_[f]] = M_[own_[f]];
+    }
+
+    es_ = min(etaC_, eta_);
+    a_ = eta_ + es_;
+    b_ = eta_ - es_;
+
+    setFaceCoefficients();
+    setGravity();
+}
+
+
+void Foam::cosseratSystem::velocityBlock
+(
+    const label cmpt,
+    scalarField& diag,
+    scalarField& face
+) const
+{
+    diag = scalarField(nCells_, Zero);
+    face.setSize(nFaces_);
+
+    const scalarField& n = cmpt ? n1_ : n0_;
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const scalar nn = sqr(n[f]);
+            face[f] = Kn_[f]*nn + Kt_[f]*(1 - nn);
+            diag[own_[f]] += face[f];
+            if (nei_[f] < nCells_)
+            {
+                diag[nei_[f]] += face[f];
+            }
+        }
+    }
+
+    for (const label f : oneSided_)
+    {
+        const flowBoundary::velocityKind kind =
+            boundary_.velocity(f - nInternal_);
+        const scalar nn = sqr(n[f]);
+
+        face[f] = 0;
+        if (kind != flowBoundary::OPEN)
+        {
+            diag[own_[f]] += Kn_[f]*nn;
+        }
+        if (kind == flowBoundary::VELOCITY)
+        {
+            diag[own_[f]] += Kt_[f]*(1 - nn);
+        }
+    }
+}
+
+
+void Foam::cosseratSystem::rotationBlock
+(
+    scalarField& diag,
+    scalarField& face
+) const
+{
+    diag = 4*V_*scalarField(SubList<scalar>(etaC_, nCells_));
+    face.setSize(nFaces_);
+
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        if (rotationUndetermined(celli))
+        {
+            diag[celli] = V_[celli]*eta_[celli];
+        }
+    }
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            face[f] = Km_[f];
+            diag[own_[f]] += face[f];
+            if (nei_[f] < nCells_)
+            {
+                diag[nei_[f]] += face[f];
+            }
+        }
+    }
+
+    for (const label f : oneSided_)
+    {
+        face[f] = 0;
+        if (boundary_.rotationFixed(f - nInternal_))
+        {
+            diag[own_[f]] += Km_[f];
+        }
+    }
+}
+
+
+void Foam::cosseratSystem::setRAU(const scalarField& rAU)
+{
+    SubList<scalar>(rAU_, nCells_) = rAU;
+    halo_.swap("s", {&rAU_});
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::cosseratSystem::pressureViscosity() const
+{
+    tmp<scalarField> tmu(new scalarField(nCells_));
+    scalarField& mu = tmu.ref();
+    scalarField count(nCells_, 1.0);
+
+    forAll(mu, celli)
+    {
+        mu[celli] = 1/eta_[celli];
+    }
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const label P = own_[f], N = nei_[f];
+            mu[P] += 1/eta_[N];
+            count[P] += 1;
+            if (N < nCells_)
+            {
+                mu[N] += 1/eta_[P];
+                count[N] += 1;
+            }
+        }
+    }
+
+    mu = mu/count + materials_.invB().primitiveField();
+
+    return 1/tmu;
+}
+
+
+// ************************************************************************* //

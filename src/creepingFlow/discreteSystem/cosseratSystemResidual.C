@@ -1,0 +1,609 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cosseratSystem.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::cosseratSystem::unpack
+(
+    const scalarField& x,
+    const bool driven
+) const
+{
+    const label n = nCells_;
+    SubList<scalar>(u0_, n) = SubList<scalar>(x, n, 0);
+    SubList<scalar>(u1_, n) = SubList<scalar>(x, n, n);
+    SubList<scalar>(p_, n) = SubList<scalar>(x, n, 2*n);
+
+    if (cosserat_)
+    {
+        SubList<scalar>(omega_, n) = SubList<scalar>(x, n, 3*n);
+        halo_.swap("vss", {&u0_, &u1_, &p_, &omega_});
+    }
+    else
+    {
+        halo_.swap("vs", {&u0_, &u1_, &p_});
+    }
+
+    setBoundaryValues(driven);
+}
+
+
+void Foam::cosseratSystem::setBoundaryValues(const bool driven) const
+{
+    for (const label f : oneSided_)
+    {
+        const label i = f - nInternal_;
+        const label P = own_[f], b = nei_[f];
+
+        if (cosserat_)
+        {
+            omega_[b] = driven ? boundary_.rotation(i) : 0;
+
+            if (!boundary_.rotationFixed(i))
+            {
+                omega_[b] = omega_[P];
+                if (driven && M_[P] > 0)
+                {
+                    omega_[b] += boundary_.couple(i)/(M_[P]*dc_[f]);
+                }
+            }
+        }
+
+        switch (boundary_.velocity(i))
+        {
+            case flowBoundary::VELOCITY:
+            {
+                u0_[b] = driven ? boundary_.u0(i) : 0;
+                u1_[b] = driven ? boundary_.u1(i) : 0;
+                break;
+            }
+            case flowBoundary::TRACTION:
+            {
+                // Tangential gradient such that the wall bears the traction;
+                // along a straight wall u_n,t = 0
+                const scalar t0 = n1_[f], t1 = -n0_[f];
+                const scalar traction = driven ? boundary_.traction(i) : 0;
+                const scalar slope =
+                    (traction - 2*etaC_[P]*omega_[b])/(eta_[P] + etaC_[P]);
+                const scalar ut = u0_[P]*t0 + u1_[P]*t1 + slope/dc_[f];
+
+                u0_[b] = ut*t0;
+                u1_[b] = ut*t1;
+                break;
+            }
+            case flowBoundary::OPEN:
+            {
+                u0_[b] = u0_[P];
+                u1_[b] = u1_[P];
+                break;
+            }
+        }
+    }
+}
+
+
+void Foam::cosseratSystem::calcGradient() const
+{
+    for (scalarField* G : {&G00_, &G01_, &G10_, &G11_})
+    {
+        *G = 0;
+    }
+
+    auto add = [&]
+    (
+        const label celli, const scalar s0, const scalar s1,
+        const scalar v0, const scalar v1
+    )
+    {
+        G00_[celli] += s0*v0;
+        G01_[celli] += s0*v1;
+        G10_[celli] += s1*v0;
+        G11_[celli] += s1*v1;
+    };
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const label P = own_[f], N = nei_[f];
+            const scalar s0 = S_[f]*n0_[f], s1 = S_[f]*n1_[f];
+            const scalar v0 = w_[f]*u0_[P] + (1 - w_[f])*u0_[N];
+            const scalar v1 = w_[f]*u1_[P] + (1 - w_[f])*u1_[N];
+
+            // What a slot gets here is overwritten by swap()
+            add(P, s0, s1, v0, v1);
+            add(N, -s0, -s1, v0, v1);
+        }
+    }
+
+    for (const label f : oneSided_)
+    {
+        const label b = nei_[f];
+        add(own_[f], S_[f]*n0_[f], S_[f]*n1_[f], u0_[b], u1_[b]);
+    }
+
+    for (scalarField* G : {&G00_, &G01_, &G10_, &G11_})
+    {
+        for (label celli = 0; celli < nCells_; ++celli)
+        {
+            (*G)[celli] /= V_[celli];
+        }
+    }
+}
+
+
+void Foam::cosseratSystem::weightGradient() const
+{
+    halo_.swap("t", {&G00_, &G01_, &G10_, &G11_});
+
+    // Face values first, from the linear gradients on both sides
+    scalarField difference(jump_.size());
+
+    forAll(jump_, i)
+    {
+        const label f = jump_[i];
+        const label P = own_[f], N = nei_[f];
+        const scalar q =
+            w_[f]*tangentialGradientOfNormal(P, f)
+          + (1 - w_[f])*tangentialGradientOfNormal(N, f);
+
+        scalar c = (b_[N] - b_[P])*q;
+        if (cosserat_)
+        {
+            c += 2*(es_[N]*omega_[N] - es_[P]*omega_[P])
+               + 2*(etaC_[N] - es_[N])*relativeRotation(N)
+               - 2*(etaC_[P] - es_[P])*relativeRotation(P);
+        }
+
+        const scalar ut =
+            (u0_[P] - u0_[N])*n1_[f] - (u1_[P] - u1_[N])*n0_[f];
+
+        difference[i] = (jumpW_[i] - w_[f])*ut + jumpC_[i]*c;
+    }
+
+    forAll(jump_, i)
+    {
+        const label f = jump_[i];
+        const scalar v0 = difference[i]*n1_[f], v1 = -difference[i]*n0_[f];
+
+        auto add = [&](const label celli, const scalar s0, const scalar s1)
+        {
+            G00_[celli] += s0*v0/V_[celli];
+            G01_[celli] += s0*v1/V_[celli];
+            G10_[celli] += s1*v0/V_[celli];
+            G11_[celli] += s1*v1/V_[celli];
+        };
+
+        const scalar s0 = S_[f]*n0_[f], s1 = S_[f]*n1_[f];
+        add(own_[f], s0, s1);
+        if (nei_[f] < nCells_)
+        {
+            add(nei_[f], -s0, -s1);
+        }
+    }
+}
+
+
+void Foam::cosseratSystem::calcForce(const bool driven) const
+{
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            ff_[f] = -dc_[f]*(p_[nei_[f]] - p_[own_[f]]);
+        }
+        if (driven)
+        {
+            for (label f = range.first(); f < range.second(); ++f)
+            {
+                ff_[f] += gravity_[f];
+            }
+        }
+    }
+
+    for (const label f : oneSided_)
+    {
+        const label i = f - nInternal_;
+        ff_[f] = 0;
+        if (boundary_.pressureFixed(i))
+        {
+            const scalar pb = driven ? boundary_.pressure(i) : 0;
+            ff_[f] = -dc_[f]*(pb - p_[own_[f]]) + driven*gravity_[f];
+        }
+    }
+
+    reconstruct();
+
+    if (nonOrthogonal_)
+    {
+        // Correct the face values with the cell values that they gave
+        halo_.swap("v", {&f0_, &f1_});
+
+        for (const labelPair& range : twoSided_)
+        {
+            for (label f = range.first(); f < range.second(); ++f)
+            {
+                const label P = own_[f], N = nei_[f];
+                const scalar wP = w_[f], wN = 1 - wP;
+                ff_[f] +=
+                    k0_[f]*(wP*f0_[P] + wN*f0_[N])
+                  + k1_[f]*(wP*f1_[P] + wN*f1_[N]);
+            }
+        }
+        reconstruct();
+    }
+}
+
+
+void Foam::cosseratSystem::reconstruct() const
+{
+    f0_ = 0;
+    f1_ = 0;
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const label P = own_[f], N = nei_[f];
+            const scalar s = S_[f]*ff_[f];
+            f0_[P] += s*n0_[f];
+            f1_[P] += s*n1_[f];
+            f0_[N] += s*n0_[f];
+            f1_[N] += s*n1_[f];
+        }
+    }
+
+    for (const label f : oneSided_)
+    {
+        const scalar s = S_[f]*ff_[f];
+        f0_[own_[f]] += s*n0_[f];
+        f1_[own_[f]] += s*n1_[f];
+    }
+
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        const scalar s0 = f0_[celli], s1 = f1_[celli];
+        f0_[celli] = T00_[celli]*s0 + T01_[celli]*s1;
+        f1_[celli] = T01_[celli]*s0 + T11_[celli]*s1;
+    }
+}
+
+
+void Foam::cosseratSystem::viscousForce
+(
+    const label f,
+    scalar& F0,
+    scalar& F1
+) const
+{
+    const label P = own_[f], N = nei_[f];
+    const scalar n0 = n0_[f], n1 = n1_[f];
+    const scalar wP = w_[f], wN = 1 - wP;
+
+    scalar d0 = u0_[N] - u0_[P];
+    scalar d1 = u1_[N] - u1_[P];
+
+    if (nonOrthogonal_)
+    {
+        const scalar k0 = k0_[f]/dc_[f], k1 = k1_[f]/dc_[f];
+        d0 += k0*(wP*G00_[P] + wN*G00_[N]) + k1*(wP*G10_[P] + wN*G10_[N]);
+        d1 += k0*(wP*G01_[P] + wN*G01_[N]) + k1*(wP*G11_[P] + wN*G11_[N]);
+    }
+
+    const scalar q =
+        wP*tangentialGradientOfNormal(P, f)
+      + wN*tangentialGradientOfNormal(N, f);
+
+    scalar Fn = Kn_[f]*(d0*n0 + d1*n1);
+    scalar Ft = Kt_[f]*(d0*n1 - d1*n0) + Kq_[f]*q;
+
+    if (cosserat_)
+    {
+        Ft += KwP_[f]*omega_[P] + KwN_[f]*omega_[N]
+           + KsP_[f]*relativeRotation(P) + KsN_[f]*relativeRotation(N);
+    }
+    if (compressible_)
+    {
+        // -eta tr(D), with the compact normal gradient as in F_n
+        const scalar utt =
+            wP*(G00_[P]*n1*n1 - (G01_[P] + G10_[P])*n0*n1 + G11_[P]*n0*n0)
+          + wN*(G00_[N]*n1*n1 - (G01_[N] + G10_[N])*n0*n1 + G11_[N]*n0*n0);
+        Fn -= 0.5*Kn_[f]*(d0*n0 + d1*n1) + Kb_[f]*utt;
+    }
+
+    F0 = Fn*n0 + Ft*n1;
+    F1 = Fn*n1 - Ft*n0;
+}
+
+
+void Foam::cosseratSystem::wallForce
+(
+    const label f,
+    const bool driven,
+    scalar& F0,
+    scalar& F1
+) const
+{
+    const label i = f - nInternal_;
+    const label P = own_[f], b = nei_[f];
+    const scalar n0 = n0_[f], n1 = n1_[f];
+    const flowBoundary::velocityKind kind = boundary_.velocity(i);
+
+    if (kind == flowBoundary::OPEN)
+    {
+        F0 = F1 = 0;
+        return;
+    }
+
+    scalar d0 = u0_[b] - u0_[P];
+    scalar d1 = u1_[b] - u1_[P];
+
+    if (nonOrthogonal_)
+    {
+        d0 += (k0_[f]*G00_[P] + k1_[f]*G10_[P])/dc_[f];
+        d1 += (k0_[f]*G01_[P] + k1_[f]*G11_[P])/dc_[f];
+    }
+
+    scalar Fn = Kn_[f]*(d0*n0 + d1*n1);
+    scalar Ft = 0;
+
+    if (kind == flowBoundary::TRACTION)
+    {
+        Ft = driven ? boundary_.traction(i)*S_[f] : 0;
+    }
+    else
+    {
+        Ft = Kt_[f]*(d0*n1 - d1*n0)
+           + Kq_[f]*tangentialGradientOfNormal(P, f);
+        if (cosserat_)
+        {
+            Ft += KwP_[f]*omega_[P] + KwN_[f]*omega_[b]
+               + KsP_[f]*relativeRotation(P);
+        }
+    }
+    if (compressible_)
+    {
+        const scalar utt =
+            G00_[P]*n1*n1 - (G01_[P] + G10_[P])*n0*n1 + G11_[P]*n0*n0;
+        Fn -= 0.5*Kn_[f]*(d0*n0 + d1*n1) + Kb_[f]*utt;
+    }
+
+    F0 = Fn*n0 + Ft*n1;
+    F1 = Fn*n1 - Ft*n0;
+}
+
+
+Foam::scalar Foam::cosseratSystem::wallCouple
+(
+    const label f,
+    const bool driven
+) const
+{
+    const label i = f - nInternal_;
+
+    return
+        boundary_.rotationFixed(i)
+      ? Km_[f]*(omega_[nei_[f]] - omega_[own_[f]])
+      : driven ? boundary_.couple(i)*S_[f] : 0;
+}
+
+
+void Foam::cosseratSystem::addTwoSided(scalarField& r) const
+{
+    const label n = nCells_;
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const label P = own_[f], N = nei_[f];
+            const scalar wP = w_[f], wN = 1 - wP;
+
+            scalar F0, F1;
+            viscousForce(f, F0, F1);
+
+            phi_[f] = S_[f]*
+            (
+                (wP*u0_[P] + wN*u0_[N])*n0_[f]
+              + (wP*u1_[P] + wN*u1_[N])*n1_[f]
+              + (wP*rAU_[P] + wN*rAU_[N])*
+                (
+                    ff_[f]
+                  - (wP*f0_[P] + wN*f0_[N])*n0_[f]
+                  - (wP*f1_[P] + wN*f1_[N])*n1_[f]
+                )
+            );
+
+            r[P] += F0;
+            r[n + P] += F1;
+            r[2*n + P] -= phi_[f];
+
+            const scalar couple = cosserat_ ? Km_[f]*(omega_[N] - omega_[P]) : 0;
+            if (cosserat_)
+            {
+                r[3*n + P] += couple;
+            }
+
+            if (N < n)
+            {
+                r[N] -= F0;
+                r[n + N] -= F1;
+                r[2*n + N] += phi_[f];
+                if (cosserat_)
+                {
+                    r[3*n + N] -= couple;
+                }
+            }
+        }
+    }
+}
+
+
+void Foam::cosseratSystem::addOneSided
+(
+    scalarField& r,
+    const bool driven
+) const
+{
+    const label n = nCells_;
+
+    for (const label f : oneSided_)
+    {
+        const label P = own_[f], b = nei_[f];
+
+        scalar F0, F1;
+        wallForce(f, driven, F0, F1);
+
+        phi_[f] = S_[f]*(u0_[b]*n0_[f] + u1_[b]*n1_[f]);
+        if
+        (
+            boundary_.velocity(f - nInternal_) == flowBoundary::OPEN
+         && boundary_.pressureFixed(f - nInternal_)
+        )
+        {
+            phi_[f] += S_[f]*rAU_[P]*
+                (ff_[f] - f0_[P]*n0_[f] - f1_[P]*n1_[f]);
+        }
+
+        r[P] += F0;
+        r[n + P] += F1;
+        r[2*n + P] -= phi_[f];
+        if (cosserat_)
+        {
+            r[3*n + P] += wallCouple(f, driven);
+        }
+    }
+}
+
+
+void Foam::cosseratSystem::addCells
+(
+    scalarField& r,
+    const bool driven
+) const
+{
+    const label n = nCells_;
+
+    for (label celli = 0; celli < n; ++celli)
+    {
+        r[celli] += V_[celli]*f0_[celli];
+        r[n + celli] += V_[celli]*f1_[celli];
+    }
+
+    if (cosserat_)
+    {
+        for (label celli = 0; celli < n; ++celli)
+        {
+            if (rotationUndetermined(celli))
+            {
+                r[3*n + celli] = -V_[celli]*eta_[celli]*omega_[celli];
+            }
+            else
+            {
+                r[3*n + celli] -=
+                    4*V_[celli]*etaC_[celli]*relativeRotation(celli);
+            }
+        }
+    }
+
+    if (compressible_)
+    {
+        const scalarField& invB = materials_.invB().primitiveField();
+        for (label celli = 0; celli < n; ++celli)
+        {
+            r[2*n + celli] -= V_[celli]*invB[celli]*
+                (p_[celli] + driven*rhoGh_[celli]);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::cosseratSystem::residual
+(
+    const scalarField& x,
+    scalarField& r,
+    const bool driven
+) const
+{
+    unpack(x, driven);
+    calcGradient();
+    if (anyJump_)
+    {
+        weightGradient();
+    }
+    calcForce(driven);
+    halo_.swap("tv", {&G00_, &G01_, &G10_, &G11_, &f0_, &f1_});
+
+    r.setSize(size());
+    r = 0;
+    addTwoSided(r);
+    addOneSided(r, driven);
+    addCells(r, driven);
+}
+
+
+void Foam::cosseratSystem::addPressureForce
+(
+    const scalarField& p,
+    scalarField& r
+) const
+{
+    SubList<scalar>(p_, nCells_) = p;
+    halo_.swap("s", {&p_});
+    calcForce(false);
+
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        r[celli] += V_[celli]*f0_[celli];
+        r[nCells_ + celli] += V_[celli]*f1_[celli];
+    }
+}
+
+
+void Foam::cosseratSystem::addCurl
+(
+    const scalarField& x,
+    scalarField& r
+) const
+{
+    const label n = nCells_;
+    SubList<scalar>(u0_, n) = SubList<scalar>(x, n, 0);
+    SubList<scalar>(u1_, n) = SubList<scalar>(x, n, n);
+    SubList<scalar>(omega_, n) = 0;
+    halo_.swap("vs", {&u0_, &u1_, &omega_});
+    setBoundaryValues(false);
+    calcGradient();
+
+    for (label celli = 0; celli < n; ++celli)
+    {
+        r[3*n + celli] +=
+            2*V_[celli]*etaC_[celli]*(G01_[celli] - G10_[celli]);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,243 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cosseratSystem.H"
+#include "surfaceFields.H"
+#include "uniformDimensionedFields.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::cosseratSystem::getFluxes(surfaceScalarField& phi) const
+{
+    phi.primitiveFieldRef() = SubList<scalar>(phi_, nInternal_);
+
+    forAll(phi.boundaryField(), patchi)
+    {
+        scalarField& phip = phi.boundaryFieldRef()[patchi];
+        const label start = nInternal_ + halo_.start(patchi) - nCells_;
+        forAll(phip, i)
+        {
+            phip[i] = phi_[start + i];
+        }
+    }
+}
+
+
+Foam::tmp<Foam::volTensorField> Foam::cosseratSystem::gradU() const
+{
+    tmp<volTensorField> tgrad
+    (
+        new volTensorField
+        (
+            IOobject("gradU", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedTensor(dimless/dimTime, Zero),
+            "zeroGradient"
+        )
+    );
+    volTensorField& grad = tgrad.ref();
+    const label i0 = frame_.i0(), i1 = frame_.i1();
+
+    forAll(grad, celli)
+    {
+        tensor& G = grad[celli];
+        G[3*i0 + i0] = G00_[celli];
+        G[3*i0 + i1] = G01_[celli];
+        G[3*i1 + i0] = G10_[celli];
+        G[3*i1 + i1] = G11_[celli];
+    }
+    grad.correctBoundaryConditions();
+
+    return tgrad;
+}
+
+
+Foam::vector Foam::cosseratSystem::boundaryVelocity(const label slot) const
+{
+    return frame_.inSpace(u0_[slot], u1_[slot]);
+}
+
+
+Foam::scalar Foam::cosseratSystem::boundaryPressure(const label slot) const
+{
+    const label f = nInternal_ + slot - nCells_;
+    const label P = own_[f];
+
+    return
+        boundary_.pressureFixed(slot - nCells_)
+      ? boundary_.pressure(slot - nCells_)
+      : p_[P] - (f0_[P]*n0_[f] + f1_[P]*n1_[f])/dc_[f];
+}
+
+
+Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
+(
+    const scalarField& x
+) const
+{
+    scalarField r;
+    residual(x, r);
+
+    powerTerms sum{0, 0, 0, 0, 0};
+
+    for (const labelPair& range : twoSided_)
+    {
+        // A coupled face is seen from both sides
+        const scalar share = range.first() < nInternal_ ? 1 : 0.5;
+
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const label P = own_[f], N = nei_[f];
+            scalar F0, F1;
+            viscousForce(f, F0, F1);
+
+            sum.viscous += share*
+                (F0*(u0_[N] - u0_[P]) + F1*(u1_[N] - u1_[P]));
+            if (cosserat_)
+            {
+                sum.bending += share*Km_[f]*sqr(omega_[N] - omega_[P]);
+            }
+        }
+    }
+
+    for (const label f : oneSided_)
+    {
+        const label P = own_[f], b = nei_[f];
+        scalar F0, F1;
+        wallForce(f, true, F0, F1);
+
+        sum.viscous += F0*(u0_[b] - u0_[P]) + F1*(u1_[b] - u1_[P]);
+        sum.walls += F0*u0_[b] + F1*u1_[b];
+
+        if (cosserat_)
+        {
+            const scalar couple = wallCouple(f, true);
+            sum.bending += couple*(omega_[b] - omega_[P]);
+            sum.walls += couple*omega_[b];
+        }
+    }
+
+    if (cosserat_)
+    {
+        for (label celli = 0; celli < nCells_; ++celli)
+        {
+            sum.viscous += 4*V_[celli]*etaC_[celli]
+               *relativeRotation(celli)*omega_[celli];
+        }
+    }
+
+    // Gravity and pressure apart: the force is linear in both
+    scalar both = 0;
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        both += V_[celli]*
+            (u0_[celli]*f0_[celli] + u1_[celli]*f1_[celli]);
+    }
+
+    scalarField pressureForce(size(), Zero);
+    addPressureForce(scalarField(SubList<scalar>(x, nCells_, 2*nCells_)),
+        pressureForce);
+
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        sum.pressure +=
+            u0_[celli]*pressureForce[celli]
+          + u1_[celli]*pressureForce[nCells_ + celli];
+    }
+    sum.gravity = both - sum.pressure;
+
+    for
+    (
+        scalar* term :
+        {&sum.gravity, &sum.walls, &sum.viscous, &sum.bending, &sum.pressure}
+    )
+    {
+        reduce(*term, sumOp<scalar>());
+    }
+
+    return sum;
+}
+
+
+void Foam::cosseratSystem::netForce
+(
+    const vector& direction,
+    scalar& net,
+    scalar& magnitude
+) const
+{
+    net = magnitude = 0;
+
+    auto add = [&](const scalar force)
+    {
+        net += force;
+        magnitude += mag(force);
+    };
+
+    for (const label f : oneSided_)
+    {
+        const vector t(frame_.inSpace(n1_[f], -n0_[f]));
+        add(boundary_.traction(f - nInternal_)*S_[f]*(t & direction));
+    }
+
+    if (materials_.heavy())
+    {
+        const vector g
+        (
+            mesh_.time().lookupObject<uniformDimensionedVectorField>("g")
+           .value()
+        );
+        const scalarField& rho = materials_.rho().primitiveField();
+        forAll(rho, celli)
+        {
+            add(rho[celli]*V_[celli]*(g & direction));
+        }
+    }
+
+    reduce(net, sumOp<scalar>());
+    reduce(magnitude, sumOp<scalar>());
+}
+
+
+void Foam::cosseratSystem::netInflow(scalar& net, scalar& magnitude) const
+{
+    net = magnitude = 0;
+
+    for (const label f : oneSided_)
+    {
+        const label i = f - nInternal_;
+        if (boundary_.velocity(i) == flowBoundary::VELOCITY)
+        {
+            const scalar inflow = -S_[f]*
+                (boundary_.u0(i)*n0_[f] + boundary_.u1(i)*n1_[f]);
+            net += inflow;
+            magnitude += mag(inflow);
+        }
+    }
+
+    reduce(net, sumOp<scalar>());
+    reduce(magnitude, sumOp<scalar>());
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,268 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "flexibleGMRES.H"
+#include "RectangularMatrix.H"
+#include "PstreamReduceOps.H"
+#include "ListOps.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::flexibleGMRES::weightedResidual
+(
+    const scalarField& x,
+    scalarField& r,
+    const bool driven
+) const
+{
+    system_.residual(x, r, driven);
+    motions_.removeFromResidual(r);
+    r *= preconditioner_.weights();
+}
+
+
+Foam::flexibleGMRES::residuals Foam::flexibleGMRES::norms
+(
+    const scalarField& r,
+    const scalar reference
+) const
+{
+    const label n = system_.nCells();
+
+    residuals sums;
+    sums[0] = sumSqr(SubField<scalar>(r, 2*n, 0));
+    sums[1] = sumSqr(SubField<scalar>(r, n, 2*n));
+    sums[2] =
+        system_.cosserat() ? sumSqr(SubField<scalar>(r, n, 3*n)) : 0;
+
+    forAll(sums, i)
+    {
+        reduce(sums[i], sumOp<scalar>());
+        sums[i] = Foam::sqrt(sums[i])/reference;
+    }
+
+    return sums;
+}
+
+
+void Foam::flexibleGMRES::orthogonalise
+(
+    scalarField& v,
+    const label n,
+    scalarList& h
+) const
+{
+    // Classical Gram-Schmidt, twice is enough: one reduction each time
+    for (label pass = 0; pass < 2; ++pass)
+    {
+        scalarList products(n);
+        for (label i = 0; i < n; ++i)
+        {
+            products[i] = sumProd(v_[i], v);
+        }
+        Pstream::listCombineGather(products, plusEqOp<scalar>());
+        Pstream::listCombineScatter(products);
+
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar product = products[i];
+            const scalarField& vi = v_[i];
+            forAll(v, j)
+            {
+                v[j] -= product*vi[j];
+            }
+            h[i] += product;
+        }
+    }
+}
+
+
+Foam::label Foam::flexibleGMRES::cycle
+(
+    scalarField& x,
+    const scalarField& r,
+    const scalar target,
+    const label maxIter
+)
+{
+    const label m = min(nDirections_, maxIter);
+    const scalarField& weights = preconditioner_.weights();
+
+    // Least-squares problem, kept triangular by rotations
+    scalarRectangularMatrix R(m, m);
+    scalarList c(m, Zero), s(m, Zero), g(m + 1, Zero);
+
+    const scalar beta = Foam::sqrt(gSumSqr(r));
+    v_[0] = r/beta;
+    g[0] = beta;
+
+    label k = 0;
+    while (k < m && mag(g[k]) > target)
+    {
+        preconditioner_.apply(v_[k]/weights, z_[k]);
+        motions_.removeFromSolution(z_[k]);
+
+        scalarField& v = v_[k + 1];
+        weightedResidual(z_[k], v, false);
+        v.negate();
+
+        scalarList h(k + 1, Zero);
+        orthogonalise(v, k + 1, h);
+        const scalar norm = Foam::sqrt(gSumSqr(v));
+        if (norm > 0)
+        {
+            v /= norm;
+        }
+
+        for (label i = 0; i < k; ++i)
+        {
+            const scalar hi = h[i];
+            h[i] = c[i]*hi + s[i]*h[i + 1];
+            h[i + 1] = -s[i]*hi + c[i]*h[i + 1];
+        }
+
+        const scalar length = Foam::sqrt(sqr(h[k]) + sqr(norm));
+        if (!(length > 0))
+        {
+            break;
+        }
+        c[k] = h[k]/length;
+        s[k] = norm/length;
+        h[k] = length;
+        g[k + 1] = -s[k]*g[k];
+        g[k] *= c[k];
+
+        for (label i = 0; i <= k; ++i)
+        {
+            R(i, k) = h[i];
+        }
+        ++k;
+    }
+
+    for (label i = k - 1; i >= 0; --i)
+    {
+        for (label j = i + 1; j < k; ++j)
+        {
+            g[i] -= R(i, j)*g[j];
+        }
+        g[i] /= R(i, i);
+        x += g[i]*z_[i];
+    }
+
+    return k;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::flexibleGMRES::flexibleGMRES
+(
+    const cosseratSystem& system,
+    const blockPreconditioner& preconditioner,
+    const rigidMotions& motions,
+    const dictionary& controls
+)
+:
+    system_(system),
+    preconditioner_(preconditioner),
+    motions_(motions),
+    tolerance_(controls.getOrDefault<scalar>("tolerance", 1e-6)),
+    maxIter_(controls.getOrDefault<label>("maxIter", 300)),
+    nDirections_(controls.getOrDefault<label>("nDirections", 30)),
+    v_(nDirections_ + 1),
+    z_(nDirections_)
+{
+    if (!(tolerance_ > 0 && tolerance_ < 1) || maxIter_ < 1 || nDirections_ < 1)
+    {
+        FatalIOErrorInFunction(controls)
+            << "tolerance is " << tolerance_ << ", maxIter " << maxIter_
+            << ", nDirections " << nDirections_ << nl
+            << "    Allowed: a tolerance between 0 and 1, the others at"
+            << " least 1" << exit(FatalIOError);
+    }
+
+    forAll(v_, i)
+    {
+        v_.set(i, new scalarField());
+    }
+    forAll(z_, i)
+    {
+        z_.set(i, new scalarField());
+    }
+
+    Info<< "    tolerance " << tolerance_ << ", maxIter " << maxIter_
+        << ", nDirections " << nDirections_ << nl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve(scalarField& x)
+{
+    scalarField r;
+    performance result;
+    result.iterations = 0;
+
+    weightedResidual(scalarField(x.size(), Zero), r, true);
+    const scalar reference = Foam::sqrt(gSumSqr(r));
+
+    if (!(reference > VSMALL))
+    {
+        // Nothing drives the flow: rest is the solution
+        x = 0;
+        result.initial = scalar(0);
+        result.final = scalar(0);
+        result.converged = reference >= 0;
+        return result;
+    }
+
+    motions_.removeFromSolution(x);
+    weightedResidual(x, r, true);
+    scalar residual = Foam::sqrt(gSumSqr(r))/reference;
+    result.initial = norms(r, reference);
+
+    while (residual > tolerance_ && result.iterations < maxIter_)
+    {
+        const label done = cycle
+        (
+            x, r, 0.9*tolerance_*reference, maxIter_ - result.iterations
+        );
+        result.iterations += done;
+
+        weightedResidual(x, r, true);
+        residual = Foam::sqrt(gSumSqr(r))/reference;
+
+        if (done == 0)
+        {
+            break;
+        }
+    }
+
+    result.final = norms(r, reference);
+    result.converged = residual <= tolerance_;
+
+    return result;
+}
+
+
+// ************************************************************************* //

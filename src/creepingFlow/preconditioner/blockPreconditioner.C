@@ -1,0 +1,131 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "blockPreconditioner.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::blockPreconditioner::cycle
+(
+    const label block,
+    const label unknown,
+    const scalarField& r,
+    scalarField& z
+) const
+{
+    const label n = system_.nCells();
+    ri_ = SubList<scalar>(r, n, unknown*n);
+    blocks_[block].apply(zi_, ri_);
+    SubList<scalar>(z, n, unknown*n) = zi_;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::blockPreconditioner::blockPreconditioner
+(
+    cosseratSystem& system,
+    const haloExchange& halo,
+    const dictionary& controls
+)
+:
+    system_(system),
+    blocks_(system.cosserat() ? 3 : 2),
+    ri_(system.nCells()),
+    zi_(system.nCells())
+{
+    const char* names[] = {"U0", "U1", "omega"};
+
+    forAll(blocks_, i)
+    {
+        blocks_.set
+        (
+            i,
+            new multigridBlock(names[i], system.mesh(), halo, controls)
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::blockPreconditioner::update()
+{
+    const label n = system_.nCells();
+    const scalarField& V = system_.mesh().V();
+
+    weights_.setSize(system_.size());
+    scalarField diag, face, rAU(n, Zero);
+
+    for (label cmpt = 0; cmpt < 2; ++cmpt)
+    {
+        system_.velocityBlock(cmpt, diag, face);
+        blocks_[cmpt].set(diag, face);
+        SubList<scalar>(weights_, n, cmpt*n) = 1/sqrt(diag);
+        rAU += 0.5*diag;
+    }
+    system_.setRAU(V/rAU);
+
+    muByV_ = system_.pressureViscosity()/V;
+    SubList<scalar>(weights_, n, 2*n) = sqrt(muByV_);
+
+    if (system_.cosserat())
+    {
+        system_.rotationBlock(diag, face);
+        blocks_[2].set(diag, face);
+        SubList<scalar>(weights_, n, 3*n) = 1/sqrt(diag);
+    }
+}
+
+
+void Foam::blockPreconditioner::apply
+(
+    const scalarField& r,
+    scalarField& z
+) const
+{
+    const label n = system_.nCells();
+    work_ = r;
+    z.setSize(r.size());
+
+    scalarField p(muByV_*SubList<scalar>(r, n, 2*n));
+    if (system_.pressureFloats())
+    {
+        const scalarField& V = system_.mesh().V();
+        p -= gSum(V*p)/gSum(V);
+    }
+    SubList<scalar>(z, n, 2*n) = p;
+
+    system_.addPressureForce(p, work_);
+    cycle(0, 0, work_, z);
+    cycle(1, 1, work_, z);
+
+    if (system_.cosserat())
+    {
+        system_.addCurl(z, work_);
+        cycle(2, 3, work_, z);
+    }
+}
+
+
+// ************************************************************************* //
