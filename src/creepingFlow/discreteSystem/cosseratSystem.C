@@ -223,13 +223,18 @@ void Foam::cosseratSystem::setFaceCoefficients()
             {
                 KwP_[f] = a*S_[f]*lP*2*es_[P]/a_[P];
                 KwN_[f] = a*S_[f]*lN*2*es_[N]/a_[N];
-                KsP_[f] = a*S_[f]*lP*2*(etaC_[P] - es_[P])/a_[P];
-                KsN_[f] = a*S_[f]*lN*2*(etaC_[N] - es_[N])/a_[N];
+                KsP_[f] = a*S_[f]*lP*relativeCoefficient(P, f)/a_[P];
+                KsN_[f] = a*S_[f]*lN*relativeCoefficient(N, f)/a_[N];
 
-                Km_[f] =
-                    M_[P] > 0 && M_[N] > 0
-                  ? dc_[f]*S_[f]/(lP/M_[P] + lN/M_[N])
-                  : 0;
+                Km_[f] = 0;
+                if (M_[P] > 0 && M_[N] > 0)
+                {
+                    const scalar M = 1/(lP/M_[P] + lN/M_[N]);
+                    const scalar etaC = 1/(lP/etaC_[P] + lN/etaC_[N]);
+                    const scalar kappa =
+                        etaC*(2*etaC + eta)/(3*(eta + etaC));
+                    Km_[f] = dc_[f]*S_[f]*M/(1 + kappa/(M*sqr(dc_[f])));
+                }
             }
             if (compressible_)
             {
@@ -259,7 +264,7 @@ void Foam::cosseratSystem::setFaceCoefficients()
         if (cosserat_)
         {
             KwP_[f] = KwN_[f] = es_[P]*S_[f];
-            KsP_[f] = 2*(etaC_[P] - es_[P])*S_[f];
+            KsP_[f] = relativeCoefficient(P, f)*S_[f];
             KsN_[f] = 0;
             Km_[f] = M_[P]*dc_[f]*S_[f];
         }

@@ -82,11 +82,13 @@ void Foam::cosseratSystem::setBoundaryValues(const bool driven) const
             case flowBoundary::TRACTION:
             {
                 // Tangential gradient such that the wall bears the traction;
-                // along a straight wall u_n,t = 0
+                // along a straight wall u_n,t = 0. The microrotation halfway
+                // makes it the gradient there, so u_b is of second order
                 const scalar t0 = n1_[f], t1 = -n0_[f];
                 const scalar traction = driven ? boundary_.traction(i) : 0;
                 const scalar slope =
-                    (traction - 2*etaC_[P]*omega_[b])/(eta_[P] + etaC_[P]);
+                    (traction - etaC_[P]*(omega_[P] + omega_[b]))
+                   /(eta_[P] + etaC_[P]);
                 const scalar ut = u0_[P]*t0 + u1_[P]*t1 + slope/dc_[f];
 
                 u0_[b] = ut*t0;
@@ -150,6 +152,62 @@ void Foam::cosseratSystem::calcGradient() const
         {
             (*G)[celli] /= V_[celli];
         }
+    }
+}
+
+
+void Foam::cosseratSystem::correctWalls() const
+{
+    auto add = [&]
+    (
+        const label celli, const scalar s0, const scalar s1,
+        const scalar v0, const scalar v1
+    )
+    {
+        G00_[celli] += s0*v0;
+        G01_[celli] += s0*v1;
+        G10_[celli] += s1*v0;
+        G11_[celli] += s1*v1;
+    };
+
+    for (const label f : oneSided_)
+    {
+        const label i = f - nInternal_;
+        const label P = own_[f], b = nei_[f];
+        const scalar n0 = n0_[f], n1 = n1_[f], d = 1/dc_[f];
+
+        if (cosserat_ && !rotationUndetermined(P))
+        {
+            // d^2 omega,nn by the moment balance, in a form that stays finite
+            // for M -> 0, where s does too
+            const scalar curvature =
+                4*etaC_[P]*relativeRotation(P)/(M_[P]/sqr(d) + etaC_[P]);
+
+            scalar change = 0;
+            if (!boundary_.rotationFixed(i))
+            {
+                change = -0.5*curvature;
+                omega_[b] += change;
+            }
+            if (boundary_.velocity(i) == flowBoundary::TRACTION)
+            {
+                const scalar ut =
+                    d*etaC_[P]*(curvature/6 - change)/(eta_[P] + etaC_[P]);
+                const scalar s = S_[f]/V_[P];
+
+                u0_[b] += ut*n1;
+                u1_[b] -= ut*n0;
+                add(P, s*n0, s*n1, ut*n1, -ut*n0);
+            }
+        }
+
+        // The Gauss gradient has the slopes of quarter and inner face by
+        // halves; two thirds and one third are right at the centre
+        const scalar c0 =
+            ((u0_[b] - u0_[P])/d - n0*G00_[P] - n1*G10_[P])/3;
+        const scalar c1 =
+            ((u1_[b] - u1_[P])/d - n0*G01_[P] - n1*G11_[P])/3;
+        add(P, n0, n1, c0, c1);
     }
 }
 
@@ -375,8 +433,11 @@ void Foam::cosseratSystem::wallForce
     }
     else
     {
+        // The difference is the gradient halfway to the wall; the balance of
+        // momentum takes the traction to the wall
         Ft = Kt_[f]*(d0*n1 - d1*n0)
-           + Kq_[f]*tangentialGradientOfNormal(P, f);
+           + Kq_[f]*tangentialGradientOfNormal(P, f)
+           - 0.5*S_[f]/dc_[f]*(f0_[P]*n1 - f1_[P]*n0);
         if (cosserat_)
         {
             Ft += KwP_[f]*omega_[P] + KwN_[f]*omega_[b]
@@ -403,10 +464,26 @@ Foam::scalar Foam::cosseratSystem::wallCouple
 {
     const label i = f - nInternal_;
 
+    const label P = own_[f];
+    const scalar etaC = etaC_[P];
+
+    if (!boundary_.rotationFixed(i))
+    {
+        // Reduced as M on faces, for what their correction leaves at its end
+        const scalar kappa =
+            etaC*(4*etaC + eta_[P])/(6*(eta_[P] + etaC));
+
+        return
+            driven && M_[P] > 0
+          ? boundary_.couple(i)*S_[f]/(1 + 4*kappa/(M_[P]*sqr(dc_[f])))
+          : 0;
+    }
+
+    // The difference is the gradient halfway to the wall; the moment balance
+    // M omega,nn = 4 etaC s takes it to the wall
     return
-        boundary_.rotationFixed(i)
-      ? Km_[f]*(omega_[nei_[f]] - omega_[own_[f]])
-      : driven ? boundary_.couple(i)*S_[f] : 0;
+        Km_[f]*(omega_[nei_[f]] - omega_[P])
+      + 2*etaC*relativeRotation(P)*S_[f]/dc_[f];
 }
 
 
@@ -551,6 +628,7 @@ void Foam::cosseratSystem::residual
 {
     unpack(x, driven);
     calcGradient();
+    correctWalls();
     if (anyJump_)
     {
         weightGradient();

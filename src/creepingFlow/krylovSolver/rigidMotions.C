@@ -122,7 +122,7 @@ void Foam::rigidMotions::find(const scalarField& weights)
     for (label k = 0; k < 3; ++k)
     {
         // Rounding of the operator against the stiffness of one cell
-        if (svd.S()[k] < 1e-24)
+        if (svd.S()[k] < 1e-14)
         {
             scalarField mode(system_.size(), Zero);
             forAll(x, i)
