@@ -1,25 +1,119 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+Application
+    cosseratPicFoam
+
+Group
+    grpMultiphaseSolvers
+
+Description
+    Planar creeping flow of granular (Cosserat, micropolar) media, with the
+    materials carried by points through any deformation, after Dufour,
+    Muehlhaus and Moresi (2001), "A particle-in-cell formulation for large
+    deformation in Cosserat continua".
+
+    Each step: move the points, average them onto the mesh, solve for
+    velocity, pressure and microrotation. What is written at a time belongs to
+    that time, flow and points alike.
+
+Usage
+    Input
+      - constant/materialProperties: the materials, see materialFields
+      - constant/materialPointsProperties: the points, see materialPointCloud;
+        without it there are none, and with several materials their fractions
+        alpha.<name> are read from the start time
+      - constant/g: gravity, where a material has a density
+      - 0/U, 0/p_rgh, 0/omega (the last where a material has etaC)
+      - system/fvSolution, creepingFlow: see creepingFlow
+      - system/controlDict: adjustTimeStep and maxCo set the time step by the
+        Courant number on the face fluxes
+
+SourceFiles
+    cosseratPicFoam.C
+    progress.H
+
+\*---------------------------------------------------------------------------*/
+
 #include "fvCFD.H"
 #include "creepingFlow.H"
+#include "materialPointCloud.H"
+#include "progress.H"
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
 {
+    argList::addNote
+    (
+        "Planar creeping flow of Cosserat media with material points"
+    );
+
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
     #include "createTime.H"
     #include "createMesh.H"
+    #include "createTimeControls.H"
 
-    autoPtr<uniformDimensionedVectorField> g(new uniformDimensionedVectorField(IOobject("g", runTime.constant(), runTime, IOobject::READ_IF_PRESENT), dimensionedVector(dimAcceleration, Zero)));
     materialFields materials(mesh);
+    #include "createGravity.H"
     creepingFlow flow(materials);
+    const surfaceScalarField& phi = flow.phi();
+
+    autoPtr<materialPointCloud> points;
+    #include "createPoints.H"
+
     materials.correct();
-    while (runTime.loop())
+    flow.solve();
+
+    progress done(runTime);
+
+    while (runTime.run())
     {
-        Info<< "Time = " << runTime.timeName() << nl << endl;
+        #include "readTimeControls.H"
+        #include "CourantNo.H"
+        #include "setDeltaT.H"
+
+        ++runTime;
+        Info<< nl << "Time = " << runTime.timeName() << nl << endl;
+
+        if (points.valid())
+        {
+            points->move(flow.U(), phi, runTime.deltaTValue());
+            points->average(materials.fractions());
+            points->report();
+        }
+
+        materials.correct();
         flow.solve();
-        auto P = flow.power();
-        Info << "power " << P.gravity << " " << P.walls << " " << P.viscous << " " << P.bending << " " << P.pressure << endl;
+
         runTime.write();
-        Info<< "ExecutionTime = " << runTime.elapsedCpuTime() << endl;
+        done.report();
     }
+
+    flow.summary();
+    Info<< "End" << nl << endl;
+
     return 0;
 }
+
+
+// ************************************************************************* //

@@ -56,7 +56,7 @@ Foam::dictionary Foam::creepingFlow::preconditionerControls() const
 {
     dictionary controls;
     controls.add("preconditioner", word("GAMG"));
-    controls.add("nVcycles", 1);
+    controls.add("nVcycles", 2);
     controls.add("smoother", word("GaussSeidel"));
     controls.add("tolerance", 1e-10);
     controls.add("relTol", 0.01);
@@ -220,6 +220,10 @@ void Foam::creepingFlow::unpack()
 
 void Foam::creepingFlow::report()
 {
+    ++nSolves_;
+    nIterations_ += performance_.iterations;
+    maxIterations_ = max(maxIterations_, performance_.iterations);
+
     const word names[] = {"U", pRgh_.name(), "omega"};
 
     for (label i = 0; i < system_.nBlocks() - 1; ++i)
@@ -304,7 +308,10 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
         (Info<< "Creeping flow" << nl, system_), preconditioner_, motions_,
         controls_
     ),
-    nUnconverged_(0)
+    nUnconverged_(0),
+    nSolves_(0),
+    nIterations_(0),
+    maxIterations_(0)
 {
     Info<< "    preconditioner " << preconditionerControls();
     Info<< endl;
@@ -329,6 +336,21 @@ void Foam::creepingFlow::solve()
     performance_ = solver_.solve(x_);
     unpack();
     report();
+}
+
+
+void Foam::creepingFlow::summary() const
+{
+    Info<< nl << "Flow: " << nSolves_ << " solves, " << nIterations_
+        << " iterations, at most " << maxIterations_ << " in one, "
+        << nUnconverged_ << " not converged" << endl;
+
+    if (nUnconverged_)
+    {
+        WarningInFunction
+            << nUnconverged_ << " of " << nSolves_
+            << " solves did not converge: do not trust the result" << endl;
+    }
 }
 
 

@@ -281,6 +281,15 @@ void Foam::cosseratSystem::setFaceCoefficients()
 }
 
 
+Foam::vector Foam::cosseratSystem::gravity() const
+{
+    return
+        materials_.heavy()
+      ? mesh_.time().lookupObject<uniformDimensionedVectorField>("g").value()
+      : vector(Zero);
+}
+
+
 void Foam::cosseratSystem::setGravity()
 {
     gravity_.setSize(nFaces_);
@@ -292,10 +301,7 @@ void Foam::cosseratSystem::setGravity()
         return;
     }
 
-    const vector g
-    (
-        mesh_.time().lookupObject<uniformDimensionedVectorField>("g").value()
-    );
+    const vector g(gravity());
 
     // The part along a cyclic direction cannot be the gradient of a periodic
     // pressure

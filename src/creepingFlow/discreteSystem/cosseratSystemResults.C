@@ -23,7 +23,6 @@ License
 
 #include "cosseratSystem.H"
 #include "surfaceFields.H"
-#include "uniformDimensionedFields.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -146,25 +145,21 @@ Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
         }
     }
 
-    // Gravity and pressure apart: the force is linear in both
-    scalar both = 0;
-    for (label celli = 0; celli < nCells_; ++celli)
-    {
-        both += V_[celli]*
-            (u0_[celli]*f0_[celli] + u1_[celli]*f1_[celli]);
-    }
-
-    scalarField pressureForce(size(), Zero);
-    addPressureForce(scalarField(SubList<scalar>(x, nCells_, 2*nCells_)),
-        pressureForce);
+    // What the reconstructed force does beyond gravity is the work of the
+    // discrete pressure
+    const vector g(gravity());
+    const scalarField& rho = materials_.rho().primitiveField();
+    const scalar g0 = g[frame_.i0()], g1 = g[frame_.i1()];
 
     for (label celli = 0; celli < nCells_; ++celli)
     {
-        sum.pressure +=
-            u0_[celli]*pressureForce[celli]
-          + u1_[celli]*pressureForce[nCells_ + celli];
+        const scalar weight =
+            rho[celli]*(u0_[celli]*g0 + u1_[celli]*g1);
+
+        sum.gravity += V_[celli]*weight;
+        sum.pressure += V_[celli]*
+            (u0_[celli]*f0_[celli] + u1_[celli]*f1_[celli] - weight);
     }
-    sum.gravity = both - sum.pressure;
 
     for
     (
@@ -200,18 +195,11 @@ void Foam::cosseratSystem::netForce
         add(boundary_.traction(f - nInternal_)*S_[f]*(t & direction));
     }
 
-    if (materials_.heavy())
+    const vector g(gravity());
+    const scalarField& rho = materials_.rho().primitiveField();
+    forAll(rho, celli)
     {
-        const vector g
-        (
-            mesh_.time().lookupObject<uniformDimensionedVectorField>("g")
-           .value()
-        );
-        const scalarField& rho = materials_.rho().primitiveField();
-        forAll(rho, celli)
-        {
-            add(rho[celli]*V_[celli]*(g & direction));
-        }
+        add(rho[celli]*V_[celli]*(g & direction));
     }
 
     reduce(net, sumOp<scalar>());

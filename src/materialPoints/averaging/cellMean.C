@@ -1,0 +1,74 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cellMean.H"
+#include "materialPointCloud.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::cellMean::average
+(
+    const materialPointCloud& cloud,
+    PtrList<volScalarField>& fractions
+)
+{
+    if (fractions.empty())
+    {
+        return;
+    }
+
+    scalarField total(cloud.pMesh().nCells(), Zero);
+    for (volScalarField& alpha : fractions)
+    {
+        alpha.primitiveFieldRef() = 0;
+    }
+
+    for (const materialPoint& p : cloud)
+    {
+        fractions[p.material()][p.cell()] += p.volume();
+        total[p.cell()] += p.volume();
+    }
+
+    forAll(total, celli)
+    {
+        if (total[celli] <= 0)
+        {
+            FatalErrorInFunction
+                << "Cell " << celli << " at "
+                << cloud.pMesh().cellCentres()[celli]
+                << " has no material point, time "
+                << cloud.pMesh().time().timeName() << nl
+                << "    Cures: more pointsPerCell or minPointsPerCell, a"
+                << " smaller maxCo" << exit(FatalError);
+        }
+    }
+
+    for (volScalarField& alpha : fractions)
+    {
+        alpha.primitiveFieldRef() /= total;
+        alpha.correctBoundaryConditions();
+    }
+}
+
+
+// ************************************************************************* //

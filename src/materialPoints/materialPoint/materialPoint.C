@@ -1,0 +1,205 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointCloud.H"
+#include "pointVelocity.H"
+#include "pointIntegration.H"
+#include "symmetryPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
+#include "wallPolyPatch.H"
+#include "coupledPolyPatch.H"
+#include <cmath>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTemplateTypeNameAndDebug(Cloud<materialPoint>, 0);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::materialPoint::lost(const string& why) const
+{
+    FatalErrorInFunction
+        << "Material point " << origProc() << ":" << origId() << " at "
+        << position() << " in cell " << cell() << ", time "
+        << mesh().time().timeName() << ": " << why.c_str()
+        << exit(FatalError);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::materialPoint::materialPoint
+(
+    const polyMesh& mesh,
+    const point& position,
+    const label celli,
+    const label material,
+    const label dye,
+    const scalar volume
+)
+:
+    particle(mesh, position, celli),
+    material_(material),
+    dye_(dye),
+    volume_(volume)
+{
+    startStep();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::materialPoint::startStep()
+{
+    stage_ = -1;
+    displacement_ = Zero;
+    travelled_ = Zero;
+    sum_ = Zero;
+}
+
+
+bool Foam::materialPoint::move
+(
+    materialPointCloud& cloud,
+    trackingData& td,
+    const scalar trackTime
+)
+{
+    td.switchProcessor = false;
+    td.keepParticle = true;
+
+    const pointIntegration& scheme = td.integration;
+    const label n = scheme.nStages();
+
+    // A point crosses few faces in a step; many mean that it cannot move on
+    label nTracks = 0;
+    const label maxTracks = 10000;
+
+    while (td.keepParticle && !td.switchProcessor && stepFraction() < 1)
+    {
+        const scalar stageEnd = scalar(stage_ + 1)/n;
+
+        // Sums of parts of the step miss its end by rounding
+        if (stage_ < 0 || stepFraction() > stageEnd - 1e-10)
+        {
+            if (stage_ == n - 1)
+            {
+                stepFraction() = 1;
+                break;
+            }
+
+            // At the end of a stage: velocity here, way to the next one
+            const vector U(td.velocity.value(*this));
+
+            if (!std::isfinite(mag(U)))
+            {
+                lost("the velocity is not a number");
+            }
+
+            ++stage_;
+            sum_ += scheme.b(stage_)*U;
+            displacement_ =
+                td.dt*(stage_ < n - 1 ? scheme.a(stage_)*U : sum_)
+              - travelled_;
+            continue;
+        }
+
+        const scalar before = stepFraction();
+        const scalar rest = stageEnd - before;
+        const vector way(displacement_);
+
+        // Tracking lets the point leave the mid-plane by rounding
+        trackToFace(n*rest*way - deviationFromMeshCentre(), rest);
+        travelled_ += n*(stepFraction() - before)*way;
+        hitFace(way, cloud, td);
+
+        if (++nTracks > maxTracks)
+        {
+            lost("not at the end of its step after 10000 faces");
+        }
+    }
+
+    return td.keepParticle;
+}
+
+
+bool Foam::materialPoint::hitPatch(materialPointCloud&, trackingData& td)
+{
+    const polyPatch& pp = mesh().boundaryMesh()[patch()];
+
+    if (isA<coupledPolyPatch>(pp))
+    {
+        return false;
+    }
+
+    if
+    (
+        isA<wallPolyPatch>(pp)
+     || isA<symmetryPolyPatch>(pp)
+     || isA<symmetryPlanePolyPatch>(pp)
+    )
+    {
+        const vector n(normal());
+        displacement_ -= max(displacement_ & n, scalar(0))*n;
+    }
+    else
+    {
+        td.keepParticle = false;
+        ++td.nLeft;
+        td.volumeLeft += volume_;
+    }
+
+    return true;
+}
+
+
+void Foam::materialPoint::hitProcessorPatch
+(
+    materialPointCloud&,
+    trackingData& td
+)
+{
+    td.switchProcessor = true;
+}
+
+
+void Foam::materialPoint::transformProperties(const tensor& T)
+{
+    particle::transformProperties(T);
+    displacement_ = transform(T, displacement_);
+    travelled_ = transform(T, travelled_);
+    sum_ = transform(T, sum_);
+}
+
+
+void Foam::materialPoint::transformProperties(const vector& separation)
+{
+    particle::transformProperties(separation);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,162 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPoint.H"
+#include "IOstreams.H"
+#include "IOField.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const std::size_t Foam::materialPoint::sizeofFields
+(
+    sizeof(materialPoint) - sizeof(particle)
+);
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::materialPoint::materialPoint
+(
+    const polyMesh& mesh,
+    Istream& is,
+    bool readFields,
+    bool newFormat
+)
+:
+    particle(mesh, is, readFields, newFormat),
+    material_(0),
+    dye_(0),
+    volume_(0)
+{
+    startStep();
+
+    if (readFields)
+    {
+        if (is.format() == IOstream::ASCII)
+        {
+            is  >> material_ >> dye_ >> volume_ >> stage_
+                >> displacement_ >> travelled_ >> sum_;
+        }
+        else
+        {
+            is.read(reinterpret_cast<char*>(&material_), sizeofFields);
+        }
+    }
+
+    is.check(FUNCTION_NAME);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::materialPoint::readFields(Cloud<materialPoint>& cloud)
+{
+    const bool valid = cloud.size();
+
+    particle::readFields(cloud);
+
+    auto io = [&](const word& name)
+    {
+        return cloud.fieldIOobject(name, IOobject::MUST_READ);
+    };
+
+    const IOField<label> material(io("material"), valid);
+    const IOField<label> dye(io("dye"), valid);
+    const IOField<scalar> volume(io("volume"), valid);
+
+    cloud.checkFieldIOobject(cloud, material);
+    cloud.checkFieldIOobject(cloud, dye);
+    cloud.checkFieldIOobject(cloud, volume);
+
+    label i = 0;
+    for (materialPoint& p : cloud)
+    {
+        p.material_ = material[i];
+        p.dye_ = dye[i];
+        p.volume_ = volume[i];
+        ++i;
+    }
+}
+
+
+void Foam::materialPoint::writeFields(const Cloud<materialPoint>& cloud)
+{
+    particle::writeFields(cloud);
+
+    const label n = cloud.size();
+
+    auto io = [&](const word& name)
+    {
+        return cloud.fieldIOobject(name, IOobject::NO_READ);
+    };
+
+    IOField<label> material(io("material"), n);
+    IOField<label> dye(io("dye"), n);
+    IOField<scalar> volume(io("volume"), n);
+
+    label i = 0;
+    for (const materialPoint& p : cloud)
+    {
+        material[i] = p.material_;
+        dye[i] = p.dye_;
+        volume[i] = p.volume_;
+        ++i;
+    }
+
+    material.write(n > 0);
+    dye.write(n > 0);
+    volume.write(n > 0);
+}
+
+
+// * * * * * * * * * * * * * * * IOstream Operators  * * * * * * * * * * * * //
+
+Foam::Ostream& Foam::operator<<(Ostream& os, const materialPoint& p)
+{
+    os << static_cast<const particle&>(p);
+
+    if (os.format() == IOstream::ASCII)
+    {
+        os  << token::SPACE << p.material_
+            << token::SPACE << p.dye_
+            << token::SPACE << p.volume_
+            << token::SPACE << p.stage_
+            << token::SPACE << p.displacement_
+            << token::SPACE << p.travelled_
+            << token::SPACE << p.sum_;
+    }
+    else
+    {
+        os.write
+        (
+            reinterpret_cast<const char*>(&p.material_),
+            materialPoint::sizeofFields
+        );
+    }
+
+    os.check(FUNCTION_NAME);
+    return os;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,174 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialPointCloud.H"
+#include "cellMean.H"
+#include "ListOps.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::word Foam::materialPointCloud::cloudName("materialPoints");
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    static IOobject propertiesIO(const fvMesh& mesh)
+    {
+        return IOobject
+        (
+            materialPointCloud::cloudName + "Properties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::materialPointCloud::materialPointCloud
+(
+    const fvMesh& mesh,
+    const wordList& materials
+)
+:
+    Cloud<materialPoint>(mesh, cloudName, false),
+    mesh_(mesh),
+    materials_(materials),
+    dict_(propertiesIO(mesh)),
+    seeding_(mesh, materials, dict_.subDict("seeding")),
+    integration_(dict_),
+    population_(mesh, dict_, seeding_.pointsPerCell()),
+    nLeft_(0),
+    volumeLeft_(0),
+    nAdded_(0)
+{
+    materialPoint::readFields(*this);
+
+    const bool restart = nPoints() > 0;
+    if (!restart)
+    {
+        seeding_.seed(*this);
+    }
+
+    Info<< "Material points: " << nPoints()
+        << (restart ? " read" : " seeded")
+        << ", integration " << integration_.name()
+        << ", minPointsPerCell " << population_.minPointsPerCell()
+        << nl << endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::materialPointCloud::wanted(const fvMesh& mesh)
+{
+    IOobject io(propertiesIO(mesh));
+    return io.typeHeaderOk<IOdictionary>(true);
+}
+
+
+Foam::label Foam::materialPointCloud::findMaterial
+(
+    const word& name,
+    const wordList& materials,
+    const dictionary& dict
+)
+{
+    const label i = materials.find(name);
+
+    if (i < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'material' is " << name << nl
+            << "    Allowed: " << flatOutput(materials)
+            << ", the materials of constant/materialProperties"
+            << exit(FatalIOError);
+    }
+
+    return i;
+}
+
+
+void Foam::materialPointCloud::move
+(
+    const volVectorField& U,
+    const surfaceScalarField& phi,
+    const scalar dt
+)
+{
+    if (!velocity_.valid())
+    {
+        velocity_ = pointVelocity::New(dict_, U, phi);
+    }
+    velocity_->update();
+
+    for (materialPoint& p : *this)
+    {
+        p.startStep();
+    }
+
+    materialPoint::trackingData td(*this, *velocity_, integration_, dt);
+    Cloud<materialPoint>::move(*this, td, dt);
+
+    nLeft_ += returnReduce(td.nLeft, sumOp<label>());
+    volumeLeft_ += returnReduce(td.volumeLeft, sumOp<scalar>());
+    nAdded_ += population_.refill(*this);
+}
+
+
+void Foam::materialPointCloud::average
+(
+    PtrList<volScalarField>& fractions
+) const
+{
+    cellMean::average(*this, fractions);
+}
+
+
+Foam::label Foam::materialPointCloud::nPoints() const
+{
+    return returnReduce(this->size(), sumOp<label>());
+}
+
+
+void Foam::materialPointCloud::report() const
+{
+    Info<< "Material points: " << nPoints() << " inside, " << nAdded_
+        << " added and " << nLeft_ << " left (" << volumeLeft_
+        << " m3) since the start" << endl;
+}
+
+
+void Foam::materialPointCloud::writeFields() const
+{
+    materialPoint::writeFields(*this);
+}
+
+
+// ************************************************************************* //

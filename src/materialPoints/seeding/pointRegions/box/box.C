@@ -1,0 +1,68 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "box.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace pointRegions
+{
+    defineTypeNameAndDebug(box, 0);
+    addToRunTimeSelectionTable(pointRegion, box, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pointRegions::box::box
+(
+    const dictionary& dict,
+    const polyMesh& mesh
+)
+:
+    box_(dict.get<point>("min"), dict.get<point>("max"))
+{
+    if (cmptMin(box_.span()) < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entries min " << box_.min() << " and max " << box_.max()
+            << " of a box" << nl
+            << "    Allowed: min below max in each component"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::pointRegions::box::contains(const point& p) const
+{
+    return box_.contains(p);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,201 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointSeeding.H"
+#include "materialPointCloud.H"
+#include "planarCells.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::pointField Foam::pointSeeding::places
+(
+    const UList<point>& corners
+) const
+{
+    const label n = pointsPerCell_;
+    pointField places(n);
+    const label k = label(std::lround(std::sqrt(scalar(n))));
+
+    if (corners.size() == 4 && k*k == n)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar xi = (i % k + 0.5)/k;
+            const scalar eta = (i/k + 0.5)/k;
+
+            places[i] =
+                (1 - eta)*((1 - xi)*corners[0] + xi*corners[1])
+              + eta*((1 - xi)*corners[3] + xi*corners[2]);
+        }
+        return places;
+    }
+
+    point lower(corners[0]), upper(corners[0]);
+    for (const point& corner : corners)
+    {
+        lower = min(lower, corner);
+        upper = max(upper, corner);
+    }
+
+    // Additive recurrence with the plastic number: the inverses of its powers
+    // fill a square evenly
+    const scalar plastic = 1.32471795724474602596;
+    const vector size(upper - lower);
+    const direction normal =
+        size.x() <= min(size.y(), size.z()) ? 0
+      : size.y() <= size.z() ? 1 : 2;
+
+    for (label i = 0, trial = 1; i < n; ++trial)
+    {
+        point p(lower);
+        p[(normal + 1) % 3] +=
+            size[(normal + 1) % 3]*std::fmod(0.5 + trial/plastic, 1);
+        p[(normal + 2) % 3] +=
+            size[(normal + 2) % 3]*std::fmod(0.5 + trial/sqr(plastic), 1);
+
+        if (planarCells::contains(corners, p))
+        {
+            places[i++] = p;
+        }
+    }
+
+    return places;
+}
+
+
+Foam::label Foam::pointSeeding::material(const point& p) const
+{
+    for (label i = regions_.size() - 1; i >= 0; --i)
+    {
+        if (regions_[i].contains(p))
+        {
+            return regionMaterial_[i];
+        }
+    }
+
+    FatalErrorInFunction
+        << "The point " << p << " is in none of the " << regions_.size()
+        << " regions of constant/materialPointsProperties" << nl
+        << "    Cure: a first region of type all" << exit(FatalError);
+
+    return -1;
+}
+
+
+Foam::label Foam::pointSeeding::dye
+(
+    const point& p,
+    const label material
+) const
+{
+    for (label i = dyes_.size() - 1; i >= 0; --i)
+    {
+        if (dyeMaterial_[i] < 0 || dyeMaterial_[i] == material)
+        {
+            const label mark = dyes_[i].mark(p);
+            if (mark)
+            {
+                return mark;
+            }
+        }
+    }
+    return 0;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pointSeeding::pointSeeding
+(
+    const fvMesh& mesh,
+    const wordList& materials,
+    const dictionary& dict
+)
+:
+    mesh_(mesh),
+    pointsPerCell_(dict.getOrDefault<label>("pointsPerCell", 16))
+{
+    if (pointsPerCell_ < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'pointsPerCell' is " << pointsPerCell_ << nl
+            << "    Allowed: 1 or more" << exit(FatalIOError);
+    }
+
+    const List<dictionary> regions(dict.get<List<dictionary>>("regions"));
+    regions_.setSize(regions.size());
+    regionMaterial_.setSize(regions.size());
+
+    forAll(regions, i)
+    {
+        regions_.set(i, pointRegion::New(regions[i], mesh));
+        regionMaterial_[i] = materialPointCloud::findMaterial
+        (
+            regions[i].get<word>("material"), materials, regions[i]
+        );
+    }
+
+    List<dictionary> dyes;
+    dict.readIfPresent("dye", dyes);
+    dyes_.setSize(dyes.size());
+    dyeMaterial_.setSize(dyes.size());
+
+    forAll(dyes, i)
+    {
+        dyes_.set(i, dyePattern::New(dyes[i]));
+        dyeMaterial_[i] =
+            dyes_[i].material().empty()
+          ? -1
+          : materialPointCloud::findMaterial
+            (
+                dyes_[i].material(), materials, dyes[i]
+            );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::pointSeeding::seed(materialPointCloud& cloud) const
+{
+    const planarCells cells(mesh_);
+    const scalarField& V = mesh_.V();
+
+    forAll(V, celli)
+    {
+        for (const point& p : places(cells.corners(celli)))
+        {
+            const label m = material(p);
+            cloud.addParticle
+            (
+                new materialPoint
+                (
+                    mesh_, p, celli, m, dye(p, m), V[celli]/pointsPerCell_
+                )
+            );
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,249 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "faceFlux.H"
+#include "planarCells.H"
+#include "emptyPolyPatch.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace pointVelocities
+{
+    defineTypeNameAndDebug(faceFlux, 0);
+    addToRunTimeSelectionTable(pointVelocity, faceFlux, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::pointVelocities::faceFlux::setCell
+(
+    const label celli,
+    const pointField& corners
+)
+{
+    const polyMesh& mesh = phi_.mesh();
+    const label n = corners.size();
+    const label start = start_[celli];
+
+    if (n != 3 && n != 4)
+    {
+        FatalErrorInFunction
+            << "Cell " << celli << " at " << mesh.cellCentres()[celli]
+            << " has " << n << " edges in the plane; velocity faceFlux knows"
+            << " three and four" << nl
+            << "    Allowed here: velocity cellPoint, cell, cellPointFace, ..."
+            << " in materialPointsProperties" << exit(FatalError);
+    }
+
+    auto cross = [&](const vector& a, const vector& b)
+    {
+        return a[i0_]*b[i1_] - a[i1_]*b[i0_];
+    };
+    const bool clockwise =
+        cross(corners[1] - corners[0], corners[2] - corners[0]) < 0;
+
+    for (label i = 0; i < n; ++i)
+    {
+        corners_[start + i] = corners[clockwise ? n - 1 - i : i];
+    }
+
+    for (label i = 0; i < n; ++i)
+    {
+        const point middle
+        (
+            0.5*(corners_[start + i] + corners_[start + (i + 1) % n])
+        );
+        scalar nearest = GREAT;
+
+        for (const label facei : mesh.cells()[celli])
+        {
+            const label patchi =
+                mesh.isInternalFace(facei)
+              ? -1
+              : mesh.boundaryMesh().whichPatch(facei);
+
+            if
+            (
+                patchi >= 0
+             && isA<emptyPolyPatch>(mesh.boundaryMesh()[patchi])
+            )
+            {
+                continue;
+            }
+
+            const vector d(mesh.faceCentres()[facei] - middle);
+            const scalar distance = sqr(d[i0_]) + sqr(d[i1_]);
+            if (distance < nearest)
+            {
+                nearest = distance;
+                faces_[start + i] = facei;
+                sign_[start + i] =
+                    mesh.faceOwner()[facei] == celli ? 1 : -1;
+            }
+        }
+    }
+}
+
+
+Foam::vector Foam::pointVelocities::faceFlux::inTriangle
+(
+    const label celli,
+    const point& p
+) const
+{
+    const label s = start_[celli];
+    const vector a(corners_[s + 1] - corners_[s]);
+    const vector b(corners_[s + 2] - corners_[s]);
+    const scalar twoA = a[i0_]*b[i1_] - a[i1_]*b[i0_];
+
+    vector U(Zero);
+    for (label i = 0; i < 3; ++i)
+    {
+        U += flux_[s + i]/twoA*(p - corners_[s + (i + 2) % 3]);
+    }
+    return U;
+}
+
+
+Foam::vector Foam::pointVelocities::faceFlux::inQuadrilateral
+(
+    const label celli,
+    const point& p
+) const
+{
+    const label s = start_[celli];
+    const vector A(corners_[s + 1] - corners_[s]);
+    const vector B(corners_[s + 3] - corners_[s]);
+    const vector C(corners_[s + 2] - corners_[s + 1] - B);
+    const vector d(p - corners_[s]);
+
+    // Newton's method for xi, eta; one step for a parallelogram
+    scalar xi = 0.5, eta = 0.5, J = 1;
+    vector xXi, xEta;
+    for (label i = 0; i < 10; ++i)
+    {
+        xXi = A + eta*C;
+        xEta = B + xi*C;
+        J = xXi[i0_]*xEta[i1_] - xXi[i1_]*xEta[i0_];
+
+        const vector r(d - xi*A - eta*B - xi*eta*C);
+        const scalar dXi = (r[i0_]*xEta[i1_] - r[i1_]*xEta[i0_])/J;
+        const scalar dEta = (xXi[i0_]*r[i1_] - xXi[i1_]*r[i0_])/J;
+        xi += dXi;
+        eta += dEta;
+
+        if (mag(dXi) + mag(dEta) < 1e-12)
+        {
+            break;
+        }
+    }
+
+    const scalar fXi = flux_[s + 1]*xi - flux_[s + 3]*(1 - xi);
+    const scalar fEta = flux_[s + 2]*eta - flux_[s]*(1 - eta);
+
+    return (fXi*xXi + fEta*xEta)/J;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pointVelocities::faceFlux::faceFlux
+(
+    const dictionary& dict,
+    const volVectorField& U,
+    const surfaceScalarField& phi
+)
+:
+    phi_(phi),
+    start_(U.size() + 1, Zero)
+{
+    const fvMesh& mesh = U.mesh();
+    const Vector<label>& dirs = mesh.geometricD();
+    const direction normal = dirs.x() < 0 ? 0 : dirs.y() < 0 ? 1 : 2;
+    i0_ = (normal + 1) % 3;
+    i1_ = (normal + 2) % 3;
+    depth_ = mesh.bounds().span()[normal];
+
+    const planarCells cells(mesh);
+    List<pointField> corners(mesh.nCells());
+    forAll(corners, celli)
+    {
+        corners[celli] = cells.corners(celli);
+        start_[celli + 1] = start_[celli] + corners[celli].size();
+    }
+
+    const label n = start_.last();
+    corners_.setSize(n);
+    faces_.setSize(n);
+    sign_.setSize(n);
+    flux_.setSize(n, Zero);
+
+    forAll(corners, celli)
+    {
+        setCell(celli, corners[celli]);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::pointVelocities::faceFlux::update()
+{
+    const fvMesh& mesh = phi_.mesh();
+    scalarField all(mesh.nFaces(), Zero);
+
+    SubList<scalar>(all, mesh.nInternalFaces()) = phi_.primitiveField();
+    forAll(phi_.boundaryField(), patchi)
+    {
+        const scalarField& phip = phi_.boundaryField()[patchi];
+        const label start = mesh.boundaryMesh()[patchi].start();
+        forAll(phip, i)
+        {
+            all[start + i] = phip[i];
+        }
+    }
+
+    forAll(flux_, i)
+    {
+        flux_[i] = sign_[i]*all[faces_[i]]/depth_;
+    }
+}
+
+
+Foam::vector Foam::pointVelocities::faceFlux::value(const particle& p) const
+{
+    const label celli = p.cell();
+
+    return
+        start_[celli + 1] - start_[celli] == 3
+      ? inTriangle(celli, p.position())
+      : inQuadrilateral(celli, p.position());
+}
+
+
+// ************************************************************************* //
