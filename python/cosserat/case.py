@@ -115,15 +115,41 @@ class Case:
                      log=None)
         return self.field("V", 0)
 
+    def boundary_edges(self):
+        """Edges in the x-y plane of the faces of walls and openings, as
+        pairs of points."""
+        mesh = self.path/"constant/polyMesh"
+        points = parse_list("nonuniform List<vector> "
+                            + _body(mesh/"points"), None)
+        faces = re.findall(r"\d+\(([\d ]+)\)", _body(mesh/"faces"))
+        edges = []
+        for patch in re.finditer(
+                r"type\s+(\w+);[^}]*?nFaces\s+(\d+);\s*startFace\s+(\d+);",
+                (mesh/"boundary").read_text()):
+            kind, n, start = patch[1], int(patch[2]), int(patch[3])
+            if kind in ("empty", "cyclic", "processor"):
+                continue
+            for face in faces[start:start + n]:
+                corners = points[np.array(face.split(), int)]
+                a = corners[0]
+                b = corners[np.argmax(np.hypot(*(corners - a)[:, :2].T))]
+                edges.append((a, b))
+        return edges
+
     def cloud(self, name, time=None, cloud="materialPoints"):
         """Field of a cloud; 'positions' gives shape (nPoints, 3)."""
         time = self.times()[-1] if time is None else time
-        text = (self.path/str(time)/"lagrangian"/cloud/name).read_text()
-        body = text[text.index("// * *"):]
+        body = _body(self.path/str(time)/"lagrangian"/cloud/name)
         if name == "positions":
             rows = re.findall(r"\(([-\d.e+]+) ([-\d.e+]+) ([-\d.e+]+)\)", body)
             return np.array(rows, float).reshape(-1, 3)
         return parse_list("nonuniform List<scalar> " + body, None)
+
+
+def _body(path):
+    """Text of an OpenFOAM file behind its header."""
+    text = path.read_text()
+    return text[text.index("// * *"):]
 
 
 def parse_list(text, n_uniform):

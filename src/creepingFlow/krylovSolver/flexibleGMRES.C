@@ -188,7 +188,7 @@ Foam::flexibleGMRES::flexibleGMRES
     motions_(motions),
     tolerance_(controls.getOrDefault<scalar>("tolerance", 1e-6)),
     maxIter_(controls.getOrDefault<label>("maxIter", 300)),
-    nDirections_(controls.getOrDefault<label>("nDirections", 30)),
+    nDirections_(controls.getOrDefault<label>("nDirections", 60)),
     v_(nDirections_ + 1),
     z_(nDirections_)
 {

@@ -68,6 +68,9 @@ Foam::materialPointCloud::materialPointCloud
     volumeLeft_(0),
     nAdded_(0)
 {
+    // ParaView and other readers look for positions, this code for coordinates
+    particle::writeLagrangianPositions = true;
+
     materialPoint::readFields(*this);
 
     const bool restart = nPoints() > 0;

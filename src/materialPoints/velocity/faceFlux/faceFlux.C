@@ -163,8 +163,17 @@ Foam::vector Foam::pointVelocities::faceFlux::inQuadrilateral
         }
     }
 
-    const scalar fXi = flux_[s + 1]*xi - flux_[s + 3]*(1 - xi);
-    const scalar fEta = flux_[s + 2]*eta - flux_[s]*(1 - eta);
+    // Fluxes change along the edges; what that adds to the divergence is
+    // taken out by terms that vanish on the edges
+    const scalar x = xi - 0.5, y = eta - 0.5;
+    const scalar fXi =
+        (flux_[s + 1] + slope_[s + 1]*y)*xi
+      - (flux_[s + 3] - slope_[s + 3]*y)*(1 - xi)
+      + 0.5*(slope_[s] - slope_[s + 2])*xi*(1 - xi);
+    const scalar fEta =
+        (flux_[s + 2] - slope_[s + 2]*x)*eta
+      - (flux_[s] + slope_[s]*x)*(1 - eta)
+      + 0.5*(slope_[s + 1] - slope_[s + 3])*eta*(1 - eta);
 
     return (fXi*xXi + fEta*xEta)/J;
 }
@@ -202,6 +211,7 @@ Foam::pointVelocities::faceFlux::faceFlux
     faces_.setSize(n);
     sign_.setSize(n);
     flux_.setSize(n, Zero);
+    slope_.setSize(n, Zero);
 
     forAll(corners, celli)
     {

@@ -34,7 +34,7 @@ Foam::autoPtr<Foam::pointVelocity> Foam::pointVelocity::New
     const surfaceScalarField& phi
 )
 {
-    const word name(dict.getOrDefault<word>("velocity", "faceFlux"));
+    const word name(dict.getOrDefault<word>("velocity", "conservativeLinear"));
 
     auto constructor = selectedConstructor(pointVelocity, dictionary, name);
 

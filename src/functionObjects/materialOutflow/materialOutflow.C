@@ -1,0 +1,176 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialOutflow.H"
+#include "materialPointCloud.H"
+#include "creepingFlow.H"
+#include "planarFrame.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(materialOutflow, 0);
+    addToRunTimeSelectionTable(functionObject, materialOutflow, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::functionObjects::materialOutflow::writeRow()
+{
+    // Of the cells
+    const materialFields& materials =
+        mesh_.lookupObject<creepingFlow>(creepingFlow::typeName).materials();
+    const wordList names(materials.names());
+    const label material = names.find(material_);
+
+    scalar out = 0, inPoints = 0, inCells = 0;
+
+    const scalarField& V = mesh_.V();
+    const vectorField& C = mesh_.C().primitiveField();
+    const volScalarField* alpha = mesh_.findObject<volScalarField>
+    (
+        IOobject::groupName("alpha", material_)
+    );
+    forAll(V, celli)
+    {
+        const scalar volume = V[celli]*(alpha ? (*alpha)[celli] : 1);
+        inCells += volume;
+        out += beyond(C[celli]) ? volume : 0;
+    }
+
+    // Better of the points, where there are any
+    const materialPointCloud* points =
+        mesh_.findObject<materialPointCloud>(materialPointCloud::cloudName);
+
+    if (points)
+    {
+        out = 0;
+        for (const materialPoint& p : *points)
+        {
+            if (p.material() == material)
+            {
+                inPoints += p.volume();
+                out += beyond(p.position()) ? p.volume() : 0;
+            }
+        }
+    }
+    else
+    {
+        inPoints = inCells;
+    }
+
+    for (scalar* sum : {&out, &inPoints, &inCells})
+    {
+        reduce(*sum, sumOp<scalar>());
+        *sum /= depth_;
+    }
+
+    const scalar now = time_.value();
+    const scalar flux =
+        now > lastTime_ ? (out - lastVolume_)/(now - lastTime_) : 0;
+    lastVolume_ = out;
+    lastTime_ = now;
+
+    if (Pstream::master())
+    {
+        writeCurrentTime(file());
+        file()
+            << token::TAB << out << token::TAB << flux
+            << token::TAB << inPoints << token::TAB << inCells << endl;
+    }
+
+    Log << type() << ' ' << name() << ": " << out << " m2 of "
+        << material_ << " beyond the plane, " << flux << " m2/s" << endl;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::materialOutflow::materialOutflow
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(obr_, name, typeName, dict),
+    depth_(mesh_.bounds().span()[planarFrame(mesh_).normalAxis()]),
+    lastVolume_(0),
+    lastTime_(GREAT)
+{
+    read(dict);
+
+    if (Pstream::master())
+    {
+        writeHeader(file(), "Volume of " + material_ + " a thickness of the mesh");
+        writeCommented(file(), "Time [s]");
+        writeTabbed(file(), "beyond the plane [m2]");
+        writeTabbed(file(), "flux through the plane [m2/s]");
+        writeTabbed(file(), "all points [m2]");
+        writeTabbed(file(), "on the mesh [m2]");
+        file() << endl;
+    }
+
+    writeRow();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::materialOutflow::read(const dictionary& dict)
+{
+    fvMeshFunctionObject::read(dict);
+    writeFile::read(dict);
+
+    dict.readEntry("material", material_);
+    dict.readEntry("point", point_);
+    normal_ = normalised(dict.get<vector>("normal"));
+
+    // Also checks the name
+    materialPointCloud::findMaterial
+    (
+        material_,
+        mesh_.lookupObject<creepingFlow>(creepingFlow::typeName)
+       .materials().names(),
+        dict
+    );
+
+    return true;
+}
+
+
+bool Foam::functionObjects::materialOutflow::execute()
+{
+    writeRow();
+    return true;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,108 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "conservativeLinear.H"
+#include "gaussGrad.H"
+#include "linear.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace pointVelocities
+{
+    defineTypeNameAndDebug(conservativeLinear, 0);
+    addToRunTimeSelectionTable(pointVelocity, conservativeLinear, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pointVelocities::conservativeLinear::conservativeLinear
+(
+    const dictionary& dict,
+    const volVectorField& U,
+    const surfaceScalarField& phi
+)
+:
+    faceFlux(dict, U, phi),
+    U_(U)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::pointVelocities::conservativeLinear::update()
+{
+    faceFlux::update();
+
+    const fvMesh& mesh = U_.mesh();
+    const surfaceTensorField grad
+    (
+        linearInterpolate
+        (
+            fv::gaussGrad<vector>::gradf(linearInterpolate(U_)(), "gradU")()
+        )
+    );
+
+    // On walls the normal velocity does not change along the face
+    tensorField all(mesh.nFaces(), Zero);
+    SubList<tensor>(all, mesh.nInternalFaces()) = grad.primitiveField();
+    forAll(grad.boundaryField(), patchi)
+    {
+        if (mesh.boundary()[patchi].coupled())
+        {
+            const tensorField& gradp = grad.boundaryField()[patchi];
+            const label start = mesh.boundaryMesh()[patchi].start();
+            forAll(gradp, i)
+            {
+                all[start + i] = gradp[i];
+            }
+        }
+    }
+
+    for (label celli = 0; celli < mesh.nCells(); ++celli)
+    {
+        const label first = start_[celli];
+        const label n = start_[celli + 1] - first;
+
+        for (label i = 0; i < n; ++i)
+        {
+            // Along the edge, and outward with the same length
+            const vector t
+            (
+                corners_[first + (i + 1) % n] - corners_[first + i]
+            );
+            vector outward(Zero);
+            outward[i0_] = t[i1_];
+            outward[i1_] = -t[i0_];
+
+            slope_[first + i] = (t & all[faces_[first + i]]) & outward;
+        }
+    }
+}
+
+
+// ************************************************************************* //
