@@ -68,6 +68,11 @@ class Case:
                            f"{done.returncode}:\n{done.stdout[-3000:]}")
         return done
 
+    def entries(self, file):
+        """Simple entries (keyword value;) at the top of a dictionary."""
+        text = re.sub(r"//[^\n]*", "", (self.path/file).read_text())
+        return dict(re.findall(r"^(\w+)\s+([^;{}#]+);", text, re.M))
+
     def log(self, program="cosseratPicFoam"):
         """Log of a program that was run."""
         return (self.path/f"log.{program}").read_text()

@@ -11,6 +11,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+from cosserat.analytic import err
 from cosserat.case import Case
 
 #: Colours of materials by index, light enough to draw dye on, and of dye
@@ -69,6 +70,82 @@ def snapshot(case, time, materials, file=None, axes=None, velocity=True,
         figure.tight_layout()
         figure.savefig(file)
         plt.close(figure)
+
+
+def snapshots(case, times, materials, file, velocity=True):
+    """Pictures of several times side by side."""
+    span = np.ptp(np.array(case.boundary_edges())[:, :, :2], axis=(0, 1))
+    width = 3.2*len(times)
+    height = 3.2*max(span[1], 1e-9)/max(span[0], 1e-9) + 0.7
+    figure, axes = plt.subplots(1, len(times), figsize=(width, height),
+                                dpi=130, squeeze=False, sharey=True)
+    n_points = len(case.cloud("dye", times[0]))
+    # Points as large as their share of the picture
+    size = 1.6*(72*3.0)**2*span[1]/span[0]/n_points
+    for axis, time in zip(axes[0], times):
+        snapshot(case, time, materials, axes=axis, velocity=velocity,
+                 size=size)
+    for axis in axes[0][1:]:
+        axis.set_ylabel("")
+    figure.tight_layout()
+    figure.savefig(file)
+    plt.close(figure)
+
+
+def outflow(case, name="discharge"):
+    """Rows (time, volume beyond the plane, flux, volume of the points, volume
+    on the mesh) of a materialOutflow function object, restarts joined."""
+    rows = {}
+    base = case.path/"postProcessing"/name
+    for part in sorted(base.iterdir(), key=lambda d: float(d.name)):
+        for row in np.loadtxt(part/"materialOutflow.dat", ndmin=2):
+            rows[row[0]] = row
+    return np.array([rows[t] for t in sorted(rows)])
+
+
+def discharge(cases, labels, volume, file):
+    """Outgoing volume against time, as the paper's Figure 11."""
+    figure, axes = plt.subplots(figsize=(6, 4.2), dpi=130)
+    for case, label in zip(cases, labels):
+        rows = outflow(case)
+        axes.plot(rows[:, 0]*1e3, rows[:, 1], label=label)
+    axes.axhline(volume, color="grey", lw=0.8, ls=":")
+    axes.set_xlabel("time [ms]")
+    axes.set_ylabel("granular volume below the fill [m$^2$]")
+    axes.set_xlim(left=0)
+    axes.set_ylim(bottom=0)
+    axes.grid(alpha=0.3)
+    if len(cases) > 1:
+        axes.legend()
+    figure.tight_layout()
+    figure.savefig(file)
+    plt.close(figure)
+
+
+def profiles(case, exact, file):
+    """u and omega across a layer beside the analytic ones; returns their
+    errors by [30]."""
+    y = case.centres()[:, 1]
+    found = case.field("U")[:, 0], case.field("omega")
+    errors = (err(exact.u(y), found[0]), err(exact.omega(y), found[1]))
+
+    figure, axes = plt.subplots(1, 2, figsize=(8, 4), dpi=130, sharey=True)
+    line = np.linspace(-exact.h/2, exact.h/2, 200)
+    for axis, function, values, name, error in zip(
+            axes, (exact.u, exact.omega), found,
+            ("u [m/s]", r"$\omega$ [1/s]"), errors):
+        axis.plot(function(line), line, color="black", lw=1, label="analytic")
+        _, first = np.unique(y.round(9), return_index=True)
+        axis.plot(values[first], y[first], "o", ms=3.5, color="#b5651d",
+                  label=f"computed, error {100*error:.2g} %")
+        axis.set_xlabel(name)
+        axis.grid(alpha=0.3)
+        axis.legend()
+    axes[0].set_ylabel("y [m]")
+    figure.tight_layout()
+    figure.savefig(file)
+    plt.close(figure)
+    return errors
 
 
 def main():
