@@ -15,6 +15,17 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 TUTORIALS = ROOT/"tutorials"
 
+#: Short names of the files of a case
+FILES = {
+    "control": "system/controlDict",
+    "mesh": "system/blockMeshDict",
+    "solution": "system/fvSolution",
+    "materials": "constant/materialProperties",
+    "points": "constant/materialPointsProperties",
+    "walls": "system/walls",
+    "decomposition": "system/decomposeParDict",
+}
+
 
 class RunError(RuntimeError):
     """A program of the case failed; the message ends with its log."""
@@ -44,12 +55,17 @@ class Case:
         shutil.rmtree(self.path/"0", ignore_errors=True)
         shutil.copytree(self.path/"0.orig", self.path/"0")
 
-    def set(self, file, **entries):
-        """Set entries of a dictionary; a dot in a name goes one level down,
-        an underscore stays: set("system/x", **{"a.b": 1})."""
+    def substitute(self, file, entries):
+        """Replace the values of entries (keyword value;) of a dictionary, by
+        keyword: value; each must be there."""
+        path = self.path/file
+        text = path.read_text()
         for key, value in entries.items():
-            self.run("foamDictionary", file, "-entry", key, "-set", str(value),
-                     log=None)
+            text, n = re.subn(rf"^(\s*{key}\s+)[^;]*;", rf"\g<1>{value};",
+                              text, flags=re.M)
+            if n == 0:
+                raise KeyError(f"no entry {key} in {path}")
+        path.write_text(text)
         return self
 
     def run(self, *command, log=True, check=True, ranks=1):
@@ -120,22 +136,36 @@ class Case:
                      log=None)
         return self.field("V", 0)
 
-    def boundary_edges(self):
-        """Edges in the x-y plane of the faces of walls and openings, as
-        pairs of points."""
+    def patch_faces(self):
+        """Corners of the faces of each patch, and its type: dict of name:
+        (type, list of arrays of points)."""
         mesh = self.path/"constant/polyMesh"
         points = parse_list("nonuniform List<vector> "
                             + _body(mesh/"points"), None)
         faces = re.findall(r"\d+\(([\d ]+)\)", _body(mesh/"faces"))
-        edges = []
+        patches = {}
         for patch in re.finditer(
-                r"type\s+(\w+);[^}]*?nFaces\s+(\d+);\s*startFace\s+(\d+);",
-                (mesh/"boundary").read_text()):
-            kind, n, start = patch[1], int(patch[2]), int(patch[3])
+                r"(\w+)\s*\{\s*type\s+(\w+);[^}]*?nFaces\s+(\d+);"
+                r"\s*startFace\s+(\d+);", (mesh/"boundary").read_text()):
+            n, start = int(patch[3]), int(patch[4])
+            patches[patch[1]] = (patch[2], [
+                points[np.array(face.split(), int)]
+                for face in faces[start:start + n]])
+        return patches
+
+    def patch_centres(self, name):
+        """Face centres of a patch with rectangular faces, shape (n, 3)."""
+        return np.array([face.mean(axis=0)
+                         for face in self.patch_faces()[name][1]])
+
+    def boundary_edges(self):
+        """Edges in the x-y plane of the faces of walls and openings, as
+        pairs of points."""
+        edges = []
+        for kind, faces in self.patch_faces().values():
             if kind in ("empty", "cyclic", "processor"):
                 continue
-            for face in faces[start:start + n]:
-                corners = points[np.array(face.split(), int)]
+            for corners in faces:
                 a = corners[0]
                 b = corners[np.argmax(np.hypot(*(corners - a)[:, :2].T))]
                 edges.append((a, b))

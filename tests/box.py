@@ -1,0 +1,168 @@
+"""A box with one or two materials, written from scratch: the scene of the
+tests that no tutorial covers."""
+
+from pathlib import Path
+
+import numpy as np
+
+from cosserat.case import Case, ROOT
+
+HEADER = """FoamFile
+{{ version 2.0; format ascii; class {cls}; object {name}; }}
+"""
+
+VECTOR, SCALAR = "volVectorField", "volScalarField"
+
+SIDES = {"left": "(0 4 7 3)", "right": "(1 2 6 5)",
+         "bottom": "(0 1 5 4)", "top": "(3 7 6 2)"}
+
+
+class Box:
+    """Unit square [-1/2, 1/2]^2, n x n cells.
+
+    materials: dict of name: dict of eta, etaC, R, B, rho; walls: dict of side:
+    (U entry, omega entry) as text; g: vector; cyclic: True for cyclic left
+    and right; fractions: function (x, y) -> fraction of the first material,
+    where there are two; U, omega: functions (x, y) for the initial fields.
+    """
+
+    def __init__(self, path, n=16, materials=None, walls=None, g=(0, 0, 0),
+                 cyclic=False, fractions=None, U=None, omega=None,
+                 tolerance=1e-10, shear=0.0, notConverged="error",
+                 symmetry=()):
+        self.case = Case(Path(path))
+        self.n, self.materials, self.g = n, materials, g
+        self.cyclic, self.fractions, self.shear = cyclic, fractions, shear
+        self.U, self.omega, self.tolerance = U, omega, tolerance
+        self.notConverged, self.symmetry = notConverged, symmetry
+        self.walls = {side: ("type slip;", "type zeroGradient;")
+                      for side in SIDES}
+        self.walls.update(walls or {})
+
+    def file(self, name, text, cls="dictionary"):
+        """Write a file of the case."""
+        path = self.case.path/name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(HEADER.format(cls=cls, name=path.name) + text)
+
+    def write(self):
+        """Write and mesh the case."""
+        self.file("system/controlDict", """
+application cosseratPicFoam; startFrom startTime; startTime 0; endTime 1;
+deltaT 1; writeControl timeStep; writeInterval 1; writeFormat ascii;
+writePrecision 16; timeFormat general; timePrecision 8;
+runTimeModifiable false;
+functions
+{
+    power { type powerBalance; libs (cosseratFunctionObjects); }
+    stress { type cosseratStress; libs (cosseratFunctionObjects);
+        writeControl writeTime; }
+}
+""")
+        schemes = (ROOT/"tutorials/silo/system/fvSchemes").read_text()
+        (self.case.path/"system/fvSchemes").write_text(schemes)
+        self.file("system/fvSolution", f"""
+creepingFlow {{ tolerance {self.tolerance}; notConverged {self.notConverged}; }}
+""")
+        self.file("constant/g", f"""
+dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
+""", "uniformDimensionedVectorField")
+        laws = "\n".join(f"""
+    {name}
+    {{
+        rho {m.get('rho', 0)}; viscosityLaw constant;
+        constantCoeffs {{ eta {m['eta']}; etaC {m['etaC']}; R {m['R']};
+            B {m.get('B', 'infinite')}; }}
+    }}""" for name, m in self.materials.items())
+        self.file("constant/materialProperties", f"materials\n{{{laws}\n}}\n")
+        self.mesh()
+        self.case.run("blockMesh", "-noFunctionObjects")
+        self.fields()
+        return self.case
+
+    def mesh(self):
+        """Write blockMeshDict."""
+        k = self.shear
+        points = [(-.5 - k/2, -.5), (.5 - k/2, -.5), (.5 + k/2, .5),
+                  (-.5 + k/2, .5)]
+        vertices = " ".join(f"({x} {y} {z})" for z in (0, 0.1)
+                            for x, y in points)
+        patches = ""
+        for side, face in SIDES.items():
+            kind = "type wall;"
+            if self.cyclic and side in ("left", "right"):
+                other = "right" if side == "left" else "left"
+                kind = f"type cyclic; neighbourPatch {other};"
+            elif side in self.symmetry:
+                kind = "type symmetryPlane;"
+            patches += f"{side} {{ {kind} faces ({face}); }}\n"
+        self.file("system/blockMeshDict", f"""
+scale 1; vertices ({vertices});
+blocks (hex (0 1 2 3 4 5 6 7) ({self.n} {self.n} 1) simpleGrading (1 1 1));
+edges (); boundary ( {patches} );
+defaultPatch {{ name frontAndBack; type empty; }}
+""")
+
+    def fields(self):
+        """Write the fields of time 0."""
+        centres = self.case.centres()
+        x, y = centres[:, 0], centres[:, 1]
+        walls = {side: entries for side, entries in self.walls.items()
+                 if side not in self.symmetry
+                 and not (self.cyclic and side in ("left", "right"))}
+
+        def field(name, cls, dims, internal, which):
+            rows = ("\n".join("(" + " ".join(map(repr, map(float, row))) + ")"
+                              for row in internal) if cls == VECTOR
+                    else "\n".join(repr(float(v)) for v in internal))
+            kind = "vector" if cls == VECTOR else "scalar"
+            patches = "\n".join(f"{side} {{ {which(side)} }}" for side in walls)
+            self.file(f"0/{name}", f"""
+dimensions {dims};
+internalField nonuniform List<{kind}> {len(internal)}
+(
+{rows}
+)
+;
+boundaryField
+{{
+{patches}
+#includeEtc "caseDicts/setConstraintTypes"
+}}
+""", cls)
+
+        def boundary_values(function, side, vector):
+            xy = self.case.patch_centres(side)[:, :2]
+            values = np.array(function(xy[:, 0], xy[:, 1]))
+            if vector:
+                rows = " ".join(f"({u!r} {v!r} 0)" for u, v in values.T.tolist())
+                return f"nonuniform List<vector> {len(xy)} ({rows})"
+            rows = " ".join(repr(v) for v in np.broadcast_to(
+                values, len(xy)).tolist())
+            return f"nonuniform List<scalar> {len(xy)} ({rows})"
+
+        def patch(side, i, function, vector):
+            entry = self.walls[side][i]
+            return (f"type fixedValue; value {boundary_values(function, side, vector)};"
+                    if entry == "exact" else entry)
+
+        U = np.zeros((len(x), 3))
+        if self.U:
+            U[:, :2] = np.array(self.U(x, y)).T
+        omega = np.zeros(len(x))
+        if self.omega:
+            omega[:] = self.omega(x, y)
+
+        field("U", VECTOR, "[0 1 -1 0 0 0 0]", U,
+              lambda side: patch(side, 0, self.U, True))
+        field("omega", SCALAR, "[0 0 -1 0 0 0 0]", omega,
+              lambda side: patch(side, 1, self.omega, False))
+        field("p_rgh", SCALAR, "[1 -1 -2 0 0 0 0]", np.zeros(len(x)),
+              lambda side: "type zeroGradient;")
+
+        names = list(self.materials)
+        if len(names) == 2:
+            first = np.array(self.fractions(x, y), float)
+            for name, alpha in zip(names, (first, 1 - first)):
+                field(f"alpha.{name}", SCALAR, "[0 0 0 0 0 0 0]", alpha,
+                      lambda side: "type zeroGradient;")

@@ -1,0 +1,82 @@
+"""The analytic solutions satisfy the equations that they stand for."""
+
+import numpy as np
+import pytest
+
+from cosserat.analytic import (GravityChannel, Material, ShearLayer,
+                               granular_contact, wall_velocity_no_rotation)
+
+MATERIALS = [Material(1, 1, 0.3), Material(2, 0.5, 0.1), Material(1, 7, 0.4)]
+CASES = [{"V": 1, "Omega": 0.3}, {"sigma": 2, "Omega": -0.2},
+         {"V": 1, "mu": 0.1}, {"sigma": 1, "mu": -0.2}]
+Y = np.linspace(-0.5, 0.5, 4001)
+
+
+def derivative(values):
+    """Central differences of fourth order, inner points."""
+    h = Y[1] - Y[0]
+    return (values[:-4] - 8*values[1:-3] + 8*values[3:-1] - values[4:])/(12*h)
+
+
+def equations(material, solution):
+    """(shear stress, residual of the moment balance) on inner points."""
+    m = material
+    du = derivative(solution.u(Y))
+    dw = derivative(solution.omega(Y))
+    omega = solution.omega(Y)[2:-2]
+    stress = (m.eta + m.etaC)*du + 2*m.etaC*omega
+    h = Y[1] - Y[0]
+    moment = (m.M*(dw[2:] - dw[:-2])/(2*h)
+              - 4*m.etaC*omega[1:-1] - 2*m.etaC*du[1:-1])
+    return stress, moment
+
+
+@pytest.mark.parametrize("material", MATERIALS)
+@pytest.mark.parametrize("given", CASES)
+def test_shear_layer(material, given):
+    """Constant stress, moment balance and what is given at the walls."""
+    layer = ShearLayer(material, 1, **given)
+    stress, moment = equations(material, layer)
+    scale = np.abs(stress).max()
+    assert np.ptp(stress) < 1e-8*scale
+    assert np.abs(moment).max() < 1e-5*scale
+    assert np.isclose(layer.a, stress.mean(), rtol=1e-8)
+
+    wall = {"V": layer.u(0.5), "Omega": layer.omega(0.5), "sigma": layer.a,
+            "mu": layer.couple_stress(0.5)}
+    for name, value in given.items():
+        assert np.isclose(wall[name], value, rtol=1e-10)
+
+
+@pytest.mark.parametrize("material", MATERIALS)
+def test_gravity_channel(material):
+    """The stress falls by G along y; no velocity, no rotation at the walls."""
+    channel = GravityChannel(material, 1, 3)
+    stress, moment = equations(material, channel)
+    assert np.allclose(np.diff(stress), -3*(Y[1] - Y[0]), rtol=1e-4)
+    assert np.abs(moment).max() < 1e-5*np.abs(stress).max()
+    assert np.allclose([channel.u(0.5), channel.u(-0.5), channel.omega(0.5)],
+                       0, atol=1e-12)
+
+
+def test_classical_where_rotation_fits():
+    """k = -sigma/(2 eta Omega) = 1 is the classical solution, b = 0."""
+    layer = ShearLayer(MATERIALS[0], 1, sigma=1, Omega=-0.5)
+    assert abs(layer.b) < 1e-15
+    assert np.allclose(layer.u(Y), Y)
+
+
+def test_equation_31():
+    """Wall velocity for eta = etaC and its limits, 1 and 1/2."""
+    for R in (1e-3, 0.3, 100):
+        expected = 0.5*(1 - R*np.tanh(1/(2*R)))
+        found = wall_velocity_no_rotation(Material(1, 1, R), 1, 1.0)
+        assert np.isclose(found, expected, rtol=1e-9)
+    assert np.isclose(wall_velocity_no_rotation(Material(1, 1, 100), 1, 1.0),
+                      0.25, rtol=1e-4)
+
+
+def test_granular_contact():
+    """The paper's constants give eta = etaC = 2e5/pi MPa s."""
+    eta, etaC, B = granular_contact(0, 4, 1e11, 1e11)
+    assert np.allclose([eta, etaC, B], 2e11/np.pi, rtol=1e-14)

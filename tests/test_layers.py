@@ -1,0 +1,98 @@
+"""Shear layer and gravity channel against their analytic solutions.
+
+Bounds: errors of equation 30 on 24 cells as measured, rounded up by a third;
+the issue asks for 2e-4 in u and 2e-3 in omega.
+"""
+
+import pytest
+
+from cosserat.analytic import (GravityChannel, Material, ShearLayer, err,
+                               granular_contact)
+from cosserat.case import residuals
+
+ETA, ETAC, _ = granular_contact(0, 4, 1e11, 1e11)
+MATERIAL = Material(ETA, ETAC, 0.3)
+VALUES = {"V": 1e-6, "sigma": 6.3661977e4, "Omega": 0, "mu": 6.3661977e3}
+
+#: case: (velocity, rotation, bound of u, bound of omega)
+SHEAR = {
+    "OmegaV": ("V", "Omega", 1.6e-5, 1.8e-4),
+    "OmegaSigma": ("sigma", "Omega", 7.0e-5, 2.6e-4),
+    "muV": ("V", "mu", 2.3e-6, 1.5e-5),
+    "muSigma": ("sigma", "mu", 2.0e-5, 6.4e-5),
+}
+
+
+def errors(case, exact):
+    """Err of u and omega at the last time."""
+    y = case.centres()[:, 1]
+    return (err(exact.u(y), case.field("U")[:, 0]),
+            err(exact.omega(y), case.field("omega")))
+
+
+def shear_layer(tutorial, name, n, **changes):
+    """Errors of a shear layer without points."""
+    velocity, rotation, *_ = SHEAR[name]
+    case = tutorial(
+        "shearLayer", f"{name}{n}{len(changes)}", mesh={"n": n},
+        walls={"velocity": velocity, "rotation": rotation},
+        solution={"tolerance": 1e-10},
+        control={"endTime": 1, "deltaT": 1, "adjustTimeStep": "no",
+                 "writeInterval": 1}, **changes)
+    (case.path/"constant/materialPointsProperties").unlink()
+    case.run("cosseratPicFoam")
+    exact = ShearLayer(MATERIAL, 1, **{name: VALUES[name] for name in
+                                       (velocity, rotation)})
+    return errors(case, exact), case
+
+
+@pytest.mark.parametrize("name", SHEAR)
+def test_shear_layer(tutorial, name):
+    """Error on 24 cells; 48 divide it by 3.7 at least."""
+    bound_u, bound_omega = SHEAR[name][2:]
+    (u, omega), case = shear_layer(tutorial, name, 24)
+    assert u < bound_u and omega < bound_omega
+    assert residuals(case.log())[0][3] <= 40
+
+    (u48, omega48), _ = shear_layer(tutorial, name, 48)
+    assert u/u48 > 3.7 and omega/omega48 > 3.7
+
+
+@pytest.mark.parametrize("name", SHEAR)
+def test_shear_layer_can_fail(tutorial, name):
+    """One per cent of a modulus shows: 1.01 k eta_m changes etaC and eta."""
+    (u, omega), _ = shear_layer(tutorial, name, 24,
+                                materials={"eta_m": 1.01e11})
+    assert u > 3*SHEAR[name][2] or omega > 3*SHEAR[name][3]
+
+
+def test_gravity_channel(tutorial):
+    """Error on 24 cells; 48 divide it by 3.7 at least."""
+    found = {}
+    for n in (24, 48):
+        case = tutorial("gravityChannel", f"n{n}", mesh={"n": n},
+                        solution={"tolerance": 1e-10})
+        case.run("cosseratPicFoam")
+        found[n] = errors(case, GravityChannel(MATERIAL, 1, 2e4))
+    assert found[24][0] < 1.1e-5 and found[24][1] < 1.7e-4
+    assert found[24][0]/found[48][0] > 3.7
+    assert found[24][1]/found[48][1] > 3.7
+
+
+def test_bands_stay_straight_and_odd(tutorial):
+    """The dye of the shear layer tutorial: after a shear of 5 the line y = 0
+    crosses one band, in the middle, and there are five."""
+    case = tutorial("shearLayer")
+    case.run("cosseratPicFoam")
+    xyz, dye = case.cloud("positions"), case.cloud("dye")
+    middle = xyz[(dye > 0) & (abs(xyz[:, 1]) < 0.02)]
+    assert abs(middle[:, 0].mean() - 0.5) < 0.02
+    assert middle[:, 0].std() < 0.2
+
+    # Bands crossed on the way from wall to wall near x = 1/2
+    column = xyz[abs(xyz[:, 0] - 0.5) < 0.02]
+    dyed = dye[abs(xyz[:, 0] - 0.5) < 0.02][column[:, 1].argsort()] > 0
+    smooth = [dyed[max(i - 2, 0):i + 3].mean() > 0.5 for i in range(len(dyed))]
+    bands = sum(b and not a for a, b in zip([False] + smooth, smooth))
+    assert bands == 5
+    assert len(xyz) == 24*24*16
