@@ -48,10 +48,18 @@ class Box:
     def write(self):
         """Write and mesh the case."""
         self.file("system/controlDict", """
-application cosseratPicFoam; startFrom startTime; startTime 0; endTime 1;
-deltaT 1; writeControl timeStep; writeInterval 1; writeFormat ascii;
-writePrecision 16; timeFormat general; timePrecision 8;
-runTimeModifiable false;
+application         cosseratPicFoam;
+startFrom           startTime;
+startTime           0;
+endTime             1;
+deltaT              1;
+writeControl        timeStep;
+writeInterval       1;
+writeFormat         ascii;
+writePrecision      16;
+timeFormat          general;
+timePrecision       8;
+runTimeModifiable   false;
 functions
 {
     power { type powerBalance; libs (cosseratFunctionObjects); }
@@ -77,6 +85,7 @@ dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
         self.file("constant/materialProperties", f"materials\n{{{laws}\n}}\n")
         self.mesh()
         self.case.run("blockMesh", "-noFunctionObjects")
+        (self.case.path/"0").mkdir(exist_ok=True)
         self.fields()
         return self.case
 

@@ -97,7 +97,7 @@ int main(int argc, char *argv[])
 
         if (points.valid())
         {
-            points->move(flow.U(), phi, runTime.deltaTValue());
+            points->move(runTime.deltaTValue());
             points->average(materials.fractions());
             points->report();
         }

@@ -104,6 +104,22 @@ Foam::volScalarField Foam::creepingFlow::readOmega() const
 }
 
 
+template<class FieldType>
+void Foam::creepingFlow::checkDimensions
+(
+    const FieldType& field,
+    const dimensionSet& dims
+) const
+{
+    if (field.dimensions() != dims)
+    {
+        FatalIOErrorInFunction(dictionary(fileName(field.objectPath())))
+            << "Entry 'dimensions' is " << field.dimensions() << nl
+            << "    Allowed: " << dims << exit(FatalIOError);
+    }
+}
+
+
 void Foam::creepingFlow::checkLoads() const
 {
     scalar net, magnitude;
@@ -313,6 +329,10 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
     nIterations_(0),
     maxIterations_(0)
 {
+    checkDimensions(U_, dimVelocity);
+    checkDimensions(pRgh_, dimPressure);
+    checkDimensions(omega_, dimless/dimTime);
+
     Info<< "    preconditioner " << preconditionerControls();
     Info<< endl;
 }

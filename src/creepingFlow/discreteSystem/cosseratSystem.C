@@ -263,7 +263,8 @@ void Foam::cosseratSystem::setFaceCoefficients()
         Kq_[f] = b_[P]*S_[f];
         if (cosserat_)
         {
-            KwP_[f] = KwN_[f] = es_[P]*S_[f];
+            KwN_[f] = 2*es_[P]*S_[f]*wallShare(f);
+            KwP_[f] = 2*es_[P]*S_[f] - KwN_[f];
             KsP_[f] = relativeCoefficient(P, f)*S_[f];
             KsN_[f] = 0;
             Km_[f] = M_[P]*dc_[f]*S_[f];
@@ -420,6 +421,21 @@ void Foam::cosseratSystem::update()
         eta_[nei_[f]] = eta_[own_[f]];
         etaC_[nei_[f]] = etaC_[own_[f]];
         M_[nei_[f]] = M_[own_[f]];
+    }
+
+    for (const label f : oneSided_)
+    {
+        const scalar couple = boundary_.couple(f - nInternal_);
+        if (couple != 0 && M_[own_[f]] <= 0)
+        {
+            FatalErrorInFunction
+                << "A coupleTraction of " << couple << " Pa m acts on the wall"
+                << " of cell " << own_[f] << " at " << mesh_.C()[own_[f]]
+                << ", whose bending viscosity M is 0" << nl
+                << "    Allowed: coupleTraction 0 or zeroGradient, or a"
+                << " material with etaC and R above zero there"
+                << exit(FatalError);
+        }
     }
 
     es_ = min(etaC_, eta_);

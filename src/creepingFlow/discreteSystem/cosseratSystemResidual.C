@@ -82,13 +82,14 @@ void Foam::cosseratSystem::setBoundaryValues(const bool driven) const
             case flowBoundary::TRACTION:
             {
                 // Tangential gradient such that the wall bears the traction;
-                // along a straight wall u_n,t = 0. The microrotation halfway
-                // makes it the gradient there, so u_b is of second order
+                // along a straight wall u_n,t = 0. The mean of omega on the
+                // way makes it the mean gradient, so u_b is of second order
                 const scalar t0 = n1_[f], t1 = -n0_[f];
                 const scalar traction = driven ? boundary_.traction(i) : 0;
+                const scalar mean =
+                    omega_[P] + wallShare(f)*(omega_[b] - omega_[P]);
                 const scalar slope =
-                    (traction - etaC_[P]*(omega_[P] + omega_[b]))
-                   /(eta_[P] + etaC_[P]);
+                    (traction - 2*etaC_[P]*mean)/(eta_[P] + etaC_[P]);
                 const scalar ut = u0_[P]*t0 + u1_[P]*t1 + slope/dc_[f];
 
                 u0_[b] = ut*t0;
@@ -203,11 +204,14 @@ void Foam::cosseratSystem::correctWalls() const
 
         // The Gauss gradient has the slopes of quarter and inner face by
         // halves; two thirds and one third are right at the centre
-        const scalar c0 =
-            ((u0_[b] - u0_[P])/d - n0*G00_[P] - n1*G10_[P])/3;
-        const scalar c1 =
-            ((u1_[b] - u1_[P])/d - n0*G01_[P] - n1*G11_[P])/3;
-        add(P, n0, n1, c0, c1);
+        scalar c0 = (u0_[b] - u0_[P])/d - n0*G00_[P] - n1*G10_[P];
+        scalar c1 = (u1_[b] - u1_[P])/d - n0*G01_[P] - n1*G11_[P];
+        if (nonOrthogonal_)
+        {
+            c0 += k0_[f]*G00_[P] + k1_[f]*G10_[P];
+            c1 += k0_[f]*G01_[P] + k1_[f]*G11_[P];
+        }
+        add(P, n0, n1, c0/3, c1/3);
     }
 }
 

@@ -53,17 +53,19 @@ namespace Foam
 
 Foam::materialPointCloud::materialPointCloud
 (
-    const fvMesh& mesh,
-    const wordList& materials
+    const wordList& materials,
+    const volVectorField& U,
+    const surfaceScalarField& phi
 )
 :
-    Cloud<materialPoint>(mesh, cloudName, false),
-    mesh_(mesh),
+    Cloud<materialPoint>(U.mesh(), cloudName, false),
+    mesh_(U.mesh()),
     materials_(materials),
-    dict_(propertiesIO(mesh)),
-    seeding_(mesh, materials, dict_.subDict("seeding")),
+    dict_(propertiesIO(mesh_)),
+    seeding_(mesh_, materials, dict_.subDict("seeding")),
     integration_(dict_),
-    population_(mesh, dict_, seeding_.pointsPerCell()),
+    population_(mesh_, dict_, seeding_.pointsPerCell()),
+    velocity_(pointVelocity::New(dict_, U, phi)),
     nLeft_(0),
     volumeLeft_(0),
     nAdded_(0)
@@ -81,6 +83,7 @@ Foam::materialPointCloud::materialPointCloud
 
     Info<< "Material points: " << nPoints()
         << (restart ? " read" : " seeded")
+        << ", velocity " << pointVelocity::name(dict_)
         << ", integration " << integration_.name()
         << ", minPointsPerCell " << population_.minPointsPerCell()
         << nl << endl;
@@ -118,17 +121,8 @@ Foam::label Foam::materialPointCloud::findMaterial
 }
 
 
-void Foam::materialPointCloud::move
-(
-    const volVectorField& U,
-    const surfaceScalarField& phi,
-    const scalar dt
-)
+void Foam::materialPointCloud::move(const scalar dt)
 {
-    if (!velocity_.valid())
-    {
-        velocity_ = pointVelocity::New(dict_, U, phi);
-    }
     velocity_->update();
 
     for (materialPoint& p : *this)

@@ -34,20 +34,34 @@ Foam::autoPtr<Foam::pointVelocity> Foam::pointVelocity::New
     const surfaceScalarField& phi
 )
 {
-    const word name(dict.getOrDefault<word>("velocity", "conservativeLinear"));
+    const word velocityType(name(dict));
 
-    auto constructor = selectedConstructor(pointVelocity, dictionary, name);
+    auto constructor =
+        selectedConstructor(pointVelocity, dictionary, velocityType);
 
     if (constructor)
     {
         return constructor(dict, U, phi);
     }
 
-    // Otherwise one of OpenFOAM's interpolation schemes, or an error there
-    // that lists them
+    if (!selectedConstructor(interpolation<vector>, dictionary, velocityType))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'velocity' is " << velocityType << nl
+            << "    Allowed: "
+            << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
+            << ", and of OpenFOAM "
+            << flatOutput
+               (
+                   interpolation<vector>::dictionaryConstructorTablePtr_
+                 ->sortedToc()
+               )
+            << exit(FatalIOError);
+    }
+
     return autoPtr<pointVelocity>
     (
-        new pointVelocities::fieldInterpolation(name, U)
+        new pointVelocities::fieldInterpolation(velocityType, U)
     );
 }
 

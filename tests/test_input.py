@@ -1,0 +1,176 @@
+"""Mistakes of a dictionary are told before the first step: file, entry, what
+was found and what is allowed; nothing of the case is changed."""
+
+import pytest
+
+MATERIALS = "constant/materialProperties"
+POINTS = "constant/materialPointsProperties"
+SOLUTION = "system/fvSolution"
+
+#: name: (file, pattern, replacement, words of the message)
+MISTAKES = {
+    "missing viscosity": (MATERIALS, "eta         1000;", "",
+                          ["eta", "materialProperties"]),
+    "negative viscosity": (MATERIALS, "eta         1000;", "eta -3;",
+                           ["eta", "-3", "above zero", "materialProperties"]),
+    "zero viscosity": (MATERIALS, "eta         1000;", "eta 0;",
+                       ["eta", "0", "above zero"]),
+    "not a number": (MATERIALS, "eta         1000;", "eta much;",
+                     ["eta", "materialProperties"]),
+    "wrong dimensions": (MATERIALS, "eta         1000;",
+                         "eta [0 2 -1 0 0 0 0] 1000;",
+                         ["dimensions", "eta"]),
+    "unknown law": (MATERIALS, "viscosityLaw    constant;",
+                    "viscosityLaw plastic;",
+                    ["viscosityLaw", "plastic", "constant", "granularContact"]),
+    "negative density": (MATERIALS, "rho             1e6;", "rho -1;",
+                         ["rho", "-1", "zero"]),
+    "R and M": (MATERIALS, "R           $alpha;", "R 1; M 2;",
+                ["R", "M", "one of"]),
+    "neither R nor M": (MATERIALS, "R           $alpha;", "",
+                        ["R", "missing", "one of"]),
+    "M without etaC": (MATERIALS, "etaC        0;\n            R           0;",
+                       "etaC 0; M 1;", ["etaC", "microrotation"]),
+    "B misspelt": (MATERIALS, "B           infinite;", "B infinit;",
+                   ["B", "infinit", "infinite"]),
+    "B zero": (MATERIALS, "B           infinite;", "B 0;",
+               ["B", "above zero"]),
+    "unknown average": (MATERIALS, "viscosityAverage    arithmetic;",
+                        "viscosityAverage mean;",
+                        ["mean", "arithmetic", "geometric", "harmonic"]),
+    "unknown material": (POINTS, "material    background;",
+                         "material air;", ["air", "background", "granular"]),
+    "unknown region": (POINTS, "type        box;", "type cube;",
+                       ["cube", "box", "polygon"]),
+    "box inside out": (POINTS, "min         (-2.5 0 -1);", "min (9 0 -1);",
+                       ["min", "max", "below"]),
+    "point in no region": (POINTS, "type        all;",
+                           "type box; min (0 0 -1); max (1 1 1);",
+                           ["none of the", "type all"]),
+    "no points": (POINTS, "pointsPerCell   16;", "pointsPerCell 0;",
+                  ["pointsPerCell", "0", "1 or more"]),
+    "unknown velocity": (POINTS, "velocity            conservativeLinear;",
+                         "velocity nearest;", ["nearest", "cellPoint"]),
+    "unknown integration": (POINTS, "integration         RK2;",
+                            "integration RK3;", ["RK3", "RK2", "RK4"]),
+    "too many points wanted": (POINTS, "minPointsPerCell    4;",
+                               "minPointsPerCell 40;",
+                               ["minPointsPerCell", "40", "16"]),
+    "tolerance zero": (SOLUTION, "tolerance       1e-6;", "tolerance 0;",
+                       ["tolerance", "between 0 and 1"]),
+    "notConverged": (SOLUTION, "tolerance       1e-6;",
+                     "notConverged ignore;", ["ignore", "error", "warn"]),
+    "no such patch": ("0/U", r"(outerWalls|siloWalls)", "(outer|siloWalls)",
+                      ["outerWalls", "U"]),
+    "patch type of U": ("0/U", "slip;", "fixedNormalSlip; fixedValue uniform"
+                        " (0 0 0);", ["fixedNormalSlip", "noSlip",
+                                      "tangentialTraction"]),
+    "patch type of omega": ("0/omega", "zeroGradient;",
+                            "fixedGradient; gradient uniform 1;",
+                            ["fixedGradient", "coupleTraction", "omega"]),
+    "dimensions of omega": ("0/omega", "[0 0 -1 0 0 0 0]",
+                            "[0 1 -1 0 0 0 0]", ["imension"]),
+}
+
+
+def state(case):
+    """Contents of all files of the case but logs."""
+    return {p: p.read_bytes() for p in sorted(case.path.rglob("*"))
+            if p.is_file() and not p.name.startswith("log.")
+            and "postProcessing" not in p.parts}
+
+
+@pytest.fixture(name="silo", scope="module")
+def silo_fixture(tmp_path_factory):
+    """A meshed silo, coarse."""
+    from cosserat.case import Case, TUTORIALS
+    from test_silo import COARSE
+    case = Case.copy(TUTORIALS/"silo", tmp_path_factory.mktemp("input")/"case")
+    case.substitute("system/blockMeshDict", COARSE)
+    case.substitute("system/controlDict", {"endTime": 1e-6, "deltaT": 1e-6,
+                                           "adjustTimeStep": "no"})
+    case.run("blockMesh")
+    return case
+
+
+def test_without_a_mistake(silo):
+    """The case as it is runs: what the others change is what stops them."""
+    silo.run("cosseratPicFoam", check=True)
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_mistake(silo, name):
+    """Non-zero exit, a message with file, entry, value, what is allowed."""
+    file, pattern, replacement, words = MISTAKES[name]
+    path = silo.path/file
+    original = path.read_text()
+    assert pattern in original
+    path.write_text(original.replace(pattern, replacement))
+    before = state(silo)
+    try:
+        done = silo.run("cosseratPicFoam", check=False)
+    finally:
+        path.write_text(original)
+    assert done.returncode != 0
+    message = done.stdout[done.stdout.index("FOAM FATAL"):]
+    for word in words:
+        assert word in message, message
+    assert "Time = " not in done.stdout
+    after = state(silo)
+    after[path] = before[path]
+    assert after == before
+
+
+def test_net_force_on_a_floating_body(box):
+    """Traction on all walls that nothing balances."""
+    case = box(cyclic=True, materials={"a": {"eta": 1, "etaC": 1, "R": .1}},
+               walls={"top": ("type tangentialTraction; traction uniform"
+                              " (1 0 0);", "type zeroGradient;")})
+    done = case.run("cosseratPicFoam", check=False)
+    assert done.returncode and "No wall holds the body" in done.stdout
+
+
+def test_couple_where_nothing_bears_it(box):
+    """A couple traction on a material without bending viscosity."""
+    case = box(materials={"a": {"eta": 1, "etaC": 1, "R": 0}},
+               walls={"top": ("type noSlip;", "type coupleTraction;"
+                              " coupleTraction uniform 1;")})
+    done = case.run("cosseratPicFoam", check=False)
+    assert done.returncode and "coupleTraction" in done.stdout
+
+
+def test_inflow_into_a_closed_body(box):
+    """Net inflow into an incompressible closed box."""
+    case = box(materials={"a": {"eta": 1, "etaC": 1, "R": .1}},
+               walls={"top": ("type fixedValue; value uniform (0 -1 0);",
+                              "type zeroGradient;")})
+    done = case.run("cosseratPicFoam", check=False)
+    assert done.returncode and "closed and incompressible" in done.stdout
+
+
+def test_normal_traction(box):
+    """A traction with a normal part."""
+    case = box(materials={"a": {"eta": 1, "etaC": 1, "R": .1}},
+               walls={"top": ("type tangentialTraction; traction uniform"
+                              " (0 1 0);", "type zeroGradient;")})
+    done = case.run("cosseratPicFoam", check=False)
+    assert done.returncode and "normal part" in done.stdout
+
+
+def test_not_converged_is_an_error_or_counted(box):
+    """What does not converge says so; going on must be asked for."""
+    scene = {"materials": {"a": {"eta": 1, "etaC": 1, "R": .1, "rho": 1},
+                           "b": {"eta": 1e3, "etaC": 1, "R": .1}},
+             "fractions": lambda x, y: x < y, "g": (0, -1, 0)}
+    stop = box("stop", **scene)
+    stop.substitute("system/fvSolution", {"creepingFlow . tolerance": "1e-10;"
+                                          " maxIter 3"})
+    done = stop.run("cosseratPicFoam", check=False)
+    assert done.returncode and "not converged" in done.stdout
+
+    going = box("going", notConverged="warn", **scene)
+    going.substitute("system/fvSolution", {"creepingFlow . tolerance": "1e-10;"
+                                           " maxIter 3"})
+    done = going.run("cosseratPicFoam", check=False)
+    assert done.returncode == 0
+    assert "2 of 2 solves did not converge" in done.stdout

@@ -1,0 +1,194 @@
+"""The five invariants of the theory, on the discrete system."""
+
+import numpy as np
+import pytest
+
+from cosserat.case import residuals
+
+GRANULAR = {"eta": 3, "etaC": 5, "R": 0.2}
+STIFF = {"eta": 1000, "etaC": 200, "R": 0.4}
+#: A band of the second material across the box
+BAND = {"materials": {"a": GRANULAR, "b": STIFF},
+        "fractions": lambda x, y: abs(y) < 0.25}
+#: Walls that follow the exact velocity and rotation
+EXACT = {side: ("exact", "exact") for side in ("left", "right", "bottom", "top")}
+
+
+def power(case):
+    """Last row of the power balance: gravity, walls, pressure, viscous,
+    bending, imbalance over supply, dissipation by cell gradients."""
+    return np.loadtxt(case.path/"postProcessing/power/0/powerBalance.dat",
+                      ndmin=2)[-1, 1:]
+
+
+@pytest.mark.parametrize("scene", ["one", "band"])
+@pytest.mark.parametrize("shear", [0.0, 0.4])
+@pytest.mark.parametrize("motion", ["rotation", "translation"])
+def test_rigid_motion(box, scene, shear, motion):
+    """Zero residual to rounding, also where the viscosity jumps by a
+    thousand and on a mesh that is not orthogonal."""
+    if motion == "rotation":
+        U, omega = (lambda x, y: (-y, x)), (lambda x, y: 1 + 0*x)
+    else:
+        U, omega = (lambda x, y: (1 + 0*x, 2 + 0*x)), (lambda x, y: 0*x)
+    parameters = BAND if scene == "band" else {"materials": {"a": GRANULAR}}
+    case = box(walls=EXACT, U=U, omega=omega, shear=shear, **parameters)
+    case.run("cosseratPicFoam")
+
+    for field, initial, _, n in residuals(case.log())[:3]:
+        assert initial < 1e-12, field
+        assert n == 0
+
+
+def test_rigid_rotation_can_fail(box):
+    """A microrotation that is off by a millionth leaves a residual."""
+    case = box(walls=EXACT, U=lambda x, y: (-y, x),
+               omega=lambda x, y: 1.000001 + 0*x, materials={"a": GRANULAR})
+    case.run("cosseratPicFoam")
+    assert max(row[1] for row in residuals(case.log())[:3]) > 1e-8
+
+
+def test_hydrostatic_rest(box):
+    """Density 1e6 over 1: no speed but rounding, in free-slip walls.
+
+    The fluid of 1e6 kg/m3 would fall with rho g L^2/eta = 3e6 m/s."""
+    case = box(materials={"heavy": {**GRANULAR, "rho": 1e6},
+                          "light": {**STIFF, "rho": 1}},
+               fractions=lambda x, y: y < 0, g=(0, -10, 0), tolerance=1e-13,
+               notConverged="warn")
+    case.run("cosseratPicFoam")
+    assert np.abs(case.field("U")).max() < 1e-6
+    assert np.abs(case.field("omega")).max() < 1e-6
+    p = case.field("p")
+    y = case.centres()[:, 1]
+    heavy = y < 0
+    assert np.allclose(np.diff(p[heavy][::16]), -1e7/16, rtol=1e-6)
+
+
+def stirred(box, target="case", **parameters):
+    """A heavy blob that falls in a box with free-slip walls."""
+    return box(target, **{**dict(
+        materials={"blob": {**STIFF, "rho": 10}, "rest": GRANULAR},
+        fractions=lambda x, y: (x - 0.1)**2 + (y - 0.2)**2 < 0.04,
+        g=(0, -1, 0), tolerance=1e-10), **parameters})
+
+
+def test_power_balance(box):
+    """Supplied is dissipated to the tolerance of the solver; the integral
+    over the cell gradients agrees to second order."""
+    errors = []
+    for n in (16, 32):
+        case = box(f"n{n}", n=n, materials={"a": GRANULAR},
+                   walls={"top": ("type fixedValue; value uniform (1 0 0);",
+                                  "type fixedValue; value uniform 0.5;")},
+                   cyclic=True, tolerance=1e-11)
+        case.run("cosseratPicFoam")
+        gravity, walls, pressure, viscous, bending, imbalance, cells = power(case)
+        assert abs(gravity) < 1e-14*abs(walls)
+        assert abs(pressure) < 1e-9*abs(walls)
+        assert abs(imbalance) < 4e-9
+        assert np.isclose(walls, viscous + bending, rtol=4e-9)
+        errors.append(abs(cells - walls)/walls)
+    assert errors[1] < 0.01
+    assert errors[0]/errors[1] > 3
+
+
+def test_power_balance_gravity(box):
+    """The same with gravity and a blob; the pressure does little work."""
+    work = []
+    for n in (16, 32):
+        case = stirred(box, f"n{n}", n=n)
+        case.run("cosseratPicFoam")
+        gravity, walls, pressure, viscous, bending, imbalance, _ = power(case)
+        assert gravity > 0 and abs(walls) < 1e-12*gravity
+        assert abs(imbalance) < 1e-8
+        assert np.isclose(gravity + pressure, viscous + bending, rtol=1e-8)
+        work.append(abs(pressure)/gravity)
+    assert work[1] < work[0] < 0.4
+
+
+def test_limits_of_the_internal_length(box):
+    """R -> 0: the classical flow of viscosity eta. R -> infinity with omega
+    held at a wall: omega = 0 and the flow of eta + etaC."""
+    def speed(target, eta, etaC, R):
+        # A lateral force on the middle of a channel between no-slip walls
+        wall = ("type noSlip;", "type fixedValue; value uniform 0;")
+        case = box(target, n=32, cyclic=True, g=(1, 0, 0), tolerance=1e-11,
+                   materials={"a": {"eta": eta, "etaC": etaC, "R": R,
+                                    "rho": 1}},
+                   walls={"top": wall, "bottom": wall})
+        case.run("cosseratPicFoam")
+        return case.field("U")[:, 0], case.field("omega")
+
+    classical, _ = speed("classical", 1, 0, 0)
+    small, _ = speed("small", 1, 1, 1e-5)
+    stiff, _ = speed("stiff", 2, 0, 0)
+    large, omega = speed("large", 1, 1, 1e4)
+
+    assert np.abs(classical.max() - 1/8) < 1e-3
+    assert np.abs(small - classical).max() < 2e-3*classical.max()
+    assert np.abs(large - stiff).max() < 2e-3*stiff.max()
+    assert np.abs(omega).max() < 1e-6*stiff.max()
+
+
+def test_scaling(box):
+    """Viscosities and forces times c: the same U and omega, c times p."""
+    c = 1e7
+    one = stirred(box, "one")
+    scaled = stirred(box, "scaled", materials={
+        "blob": {"eta": 1000*c, "etaC": 200*c, "R": 0.4, "rho": 10*c},
+        "rest": {"eta": 3*c, "etaC": 5*c, "R": 0.2}})
+    for case in (one, scaled):
+        case.run("cosseratPicFoam")
+    for name, factor in (("U", 1), ("omega", 1), ("p", c), ("sigma", c)):
+        a, b = one.field(name, 1), scaled.field(name, 1)
+        assert np.abs(b - factor*a).max() < 1e-7*np.abs(b).max(), name
+
+
+def test_mirror_and_quarter_turn(box):
+    """The mirrored and the turned scene: U mirrored or turned, omega with
+    the sign of a pseudo-scalar."""
+    n = 16
+    one = stirred(box, "one", n=n)
+    mirror = stirred(box, "mirror", n=n,
+                     fractions=lambda x, y: (-x - .1)**2 + (y - .2)**2 < .04)
+    # A quarter turn counter-clockwise: (x, y) -> (-y, x), gravity to +x
+    turned = stirred(box, "turned", n=n, g=(1, 0, 0),
+                     fractions=lambda x, y: (y - .1)**2 + (-x - .2)**2 < .04)
+    fields = {}
+    for name, case in (("one", one), ("mirror", mirror), ("turned", turned)):
+        case.run("cosseratPicFoam")
+        fields[name] = (case.field("U").reshape(n, n, 3),
+                        case.field("omega").reshape(n, n))
+    U, omega = fields["one"]
+    scale = np.abs(U).max()
+    assert scale > 1e-4
+
+    Um, omegam = fields["mirror"]
+    assert np.allclose(Um[:, ::-1, 0], -U[..., 0], atol=1e-6*scale)
+    assert np.allclose(Um[:, ::-1, 1], U[..., 1], atol=1e-6*scale)
+    assert np.allclose(omegam[:, ::-1], -omega, atol=1e-5*np.abs(omega).max())
+
+    # one(x, y) at [iy, ix] appears at (-y, x): [iy' = ix, ix' = n - 1 - iy]
+    Ut, omegat = fields["turned"]
+    turn = Ut[:, ::-1].transpose(1, 0, 2)
+    assert np.allclose(turn[..., 0], -U[..., 1], atol=1e-6*scale)
+    assert np.allclose(turn[..., 1], U[..., 0], atol=1e-6*scale)
+    assert np.allclose(omegat[:, ::-1].T, omega,
+                       atol=1e-5*np.abs(omega).max())
+
+
+def test_half_with_symmetry_plane(box):
+    """A symmetry plane is the middle of a mirrored scene: there omega is
+    zero, unlike on a free-slip wall."""
+    n = 16
+    half = stirred(box, "half", n=n, symmetry=("left",),
+                   fractions=lambda x, y: (x + 0.5)**2 + (y - .2)**2 < .04)
+    half.run("cosseratPicFoam")
+    omega = half.field("omega").reshape(n, n)
+    assert np.abs(omega[:, 0]).max() < 0.5*np.abs(omega[:, 1:3]).max()
+
+    wall = stirred(box, "wall", n=n,
+                   fractions=lambda x, y: (x + 0.5)**2 + (y - .2)**2 < .04)
+    wall.run("cosseratPicFoam")
+    assert not np.allclose(half.field("U"), wall.field("U"), rtol=1e-3)

@@ -1,0 +1,108 @@
+"""The silo: discharge, volume, iterations; serial, parallel and restarted."""
+
+import re
+
+import numpy as np
+import pytest
+
+from cosserat.case import Case, TUTORIALS, residuals
+from cosserat.picture import outflow
+
+#: Cells along the blocks at half the resolution of the tutorial
+COARSE = {"nWall": 1, "nAperture": 4, "nCorridor": 4, "nAbove": 4,
+          "nFloor": 8, "nBelow": 15, "nFill": 20}
+
+
+@pytest.fixture(name="discharges", scope="module")
+def discharges_fixture(tmp_path_factory):
+    """The whole discharge for alpha = 0 and 2/3, 60 x 80 cells."""
+    cases = {}
+    for name, alpha in (("0", 0), ("2/3", 2/3)):
+        path = tmp_path_factory.mktemp("silo")
+        case = Case.copy(TUTORIALS/"silo", path/"case")
+        case.substitute("constant/materialProperties", {"alpha": alpha})
+        case.run("blockMesh")
+        case.run("cosseratPicFoam")
+        cases[name] = case
+    return cases
+
+
+def test_discharge_rises_and_falls_with_alpha(discharges):
+    """Outflow rises monotonically; the internal length slows it down."""
+    volume = {}
+    for name, case in discharges.items():
+        rows = outflow(case)
+        assert rows[-1, 0] == pytest.approx(3.8e-3)
+        # Points come through in rows: monotonic but for single points
+        assert np.diff(rows[:, 1]).min() > -0.01
+        coarse = np.interp(np.linspace(0, 3.8e-3, 40), rows[:, 0], rows[:, 1])
+        assert np.diff(coarse).min() > 0
+        volume[name] = rows[:, [0, 1]]
+    fast, slow = volume["0"], volume["2/3"]
+    for time in np.linspace(2e-4, 3.8e-3, 10):
+        assert np.interp(time, *fast.T) > 1.02*np.interp(time, *slow.T)
+
+
+def test_volume_is_kept(discharges):
+    """The points keep the granular volume of 25, the mesh to 1 %."""
+    for case in discharges.values():
+        rows = outflow(case)
+        assert np.allclose(rows[:, 3], 25, rtol=1e-9)
+        assert np.abs(rows[:, 4]/25 - 1).max() < 0.01
+
+
+def test_every_step_converges(discharges):
+    """No step left unconverged, at most 60 outer iterations in one."""
+    for case in discharges.values():
+        log = case.log()
+        rows = residuals(log)
+        assert max(row[3] for row in rows) <= 60
+        assert max(row[2] for row in rows) <= 1e-6
+        assert re.search(r"at most \d+ in one, 0 not converged", log)
+
+
+def short(tutorial, target, method=None, **control):
+    """Twenty steps of the silo with fixed steps, tight tolerance."""
+    case = tutorial(
+        "silo", target, mesh=COARSE, solution={"tolerance": 1e-10},
+        control={"endTime": 2e-4, "deltaT": 1e-5, "adjustTimeStep": "no",
+                 "writeInterval": 1e-4, "writePrecision": 16, **control})
+    if method:
+        case.substitute("system/decomposeParDict", {"method": method})
+        case.run("decomposePar")
+        case.run("cosseratPicFoam", ranks=2)
+        case.run("reconstructPar")
+    else:
+        case.run("cosseratPicFoam")
+    return case
+
+
+def test_parallel(tutorial):
+    """Two ranks, decomposed by scotch and by metis: the serial result."""
+    serial = short(tutorial, "serial")
+    expected = outflow(serial)
+    U = serial.field("U")
+    n = len(serial.cloud("dye"))
+    for method in ("scotch", "metis"):
+        case = short(tutorial, method, method)
+        assert f"{method}" in case.log("decomposePar")
+        rows = outflow(case)
+        assert np.allclose(rows[:, 1], expected[:, 1], rtol=1e-6, atol=1e-12)
+        assert np.allclose(rows[:, 3], 25, rtol=1e-9)
+        assert np.abs(case.field("U") - U).max() < 1e-6*np.abs(U).max()
+        assert len(case.cloud("dye")) == n
+
+
+def test_restart(tutorial):
+    """Half the time, then a restart: the uninterrupted run."""
+    whole = short(tutorial, "whole")
+    half = short(tutorial, "half", endTime=1e-4)
+    half.substitute("system/controlDict", {"endTime": 2e-4})
+    half.run("cosseratPicFoam")
+    assert "read" in re.search(r"Material points: .*", half.log())[0]
+    for name in ("U", "p", "omega", "alpha.granular"):
+        a, b = whole.field(name), half.field(name)
+        assert np.abs(a - b).max() < 1e-7*np.abs(a).max(), name
+    a, b = (np.array(sorted(map(tuple, case.cloud("positions").round(6))))
+            for case in (whole, half))
+    assert a.shape == b.shape and np.abs(a - b).max() < 2e-6
