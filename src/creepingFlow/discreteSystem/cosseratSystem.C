@@ -279,6 +279,33 @@ void Foam::cosseratSystem::setFaceCoefficients()
     jumpW_ = jumpW;
     jumpC_ = jumpC;
     anyJump_ = returnReduce(jump_.size() > 0, orOp<bool>());
+
+    if (cosserat_)
+    {
+        setFeedback();
+    }
+}
+
+
+void Foam::cosseratSystem::setFeedback()
+{
+    feedback_.setSize(halo_.size());
+    feedback_ = 0;
+
+    forAll(jump_, i)
+    {
+        const label f = jump_[i];
+        for (const label celli : {own_[f], nei_[f]})
+        {
+            if (celli < nCells_)
+            {
+                feedback_[celli] +=
+                    es_[celli]*jumpC_[i]*S_[f]/V_[celli];
+            }
+        }
+    }
+
+    halo_.swap("s", {&feedback_});
 }
 
 
@@ -506,6 +533,10 @@ void Foam::cosseratSystem::rotationBlock
         if (rotationUndetermined(celli))
         {
             diag[celli] = V_[celli]*eta_[celli];
+        }
+        else
+        {
+            
         }
     }
 

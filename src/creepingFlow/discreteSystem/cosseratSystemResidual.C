@@ -179,10 +179,8 @@ void Foam::cosseratSystem::correctWalls() const
 
         if (cosserat_ && !rotationUndetermined(P))
         {
-            // d^2 omega,nn by the moment balance, in a form that stays finite
-            // for M -> 0, where s does too
-            const scalar curvature =
-                4*etaC_[P]*relativeRotation(P)/(M_[P]/sqr(d) + etaC_[P]);
+            // d^2 omega,nn by the moment balance
+            const scalar curvature = 4*relativeRotation(P)*resolution(P, f);
 
             scalar change = 0;
             if (!boundary_.rotationFixed(i))
@@ -234,7 +232,9 @@ void Foam::cosseratSystem::weightGradient() const
         scalar c = (b_[N] - b_[P])*q;
         if (cosserat_)
         {
-            c += 2*(es_[N]*omega_[N] - es_[P]*omega_[P])
+            const scalar sP = feedbackShare(P), sN = feedbackShare(N);
+            c += 2*es_[N]*(sN*omega_[N] + (1 - sN)*q)
+               - 2*es_[P]*(sP*omega_[P] + (1 - sP)*q)
                + 2*(etaC_[N] - es_[N])*relativeRotation(N)
                - 2*(etaC_[P] - es_[P])*relativeRotation(P);
         }
@@ -662,6 +662,47 @@ void Foam::cosseratSystem::addPressureForce
     {
         r[celli] += V_[celli]*f0_[celli];
         r[nCells_ + celli] += V_[celli]*f1_[celli];
+    }
+}
+
+
+void Foam::cosseratSystem::addRotationForce
+(
+    const scalarField& omega,
+    scalarField& r
+) const
+{
+    const label n = nCells_;
+    SubList<scalar>(omega_, n) = omega;
+    halo_.swap("s", {&omega_});
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const label P = own_[f], N = nei_[f];
+            const scalar Ft =
+                (KwP_[f] + KsP_[f])*omega_[P] + (KwN_[f] + KsN_[f])*omega_[N];
+
+            r[P] += Ft*n1_[f];
+            r[n + P] -= Ft*n0_[f];
+            if (N < n)
+            {
+                r[N] -= Ft*n1_[f];
+                r[n + N] += Ft*n0_[f];
+            }
+        }
+    }
+
+    for (const label f : oneSided_)
+    {
+        if (boundary_.velocity(f - nInternal_) == flowBoundary::VELOCITY)
+        {
+            const label P = own_[f];
+            const scalar Ft = (KwP_[f] + KsP_[f])*omega_[P];
+            r[P] += Ft*n1_[f];
+            r[n + P] -= Ft*n0_[f];
+        }
     }
 }
 

@@ -116,6 +116,15 @@ void Foam::blockPreconditioner::apply
     }
     SubList<scalar>(z, n, 2*n) = p;
 
+    if (system_.cosserat())
+    {
+        cycle(2, 3, work_, z);
+        system_.addRotationForce
+        (
+            scalarField(SubList<scalar>(z, n, 3*n)), work_
+        );
+    }
+
     system_.addPressureForce(p, work_);
     cycle(0, 0, work_, z);
     cycle(1, 1, work_, z);
