@@ -294,7 +294,7 @@ bool Foam::materialFields::cosserat() const
 {
     for (const material& m : materials_)
     {
-        if (m.law().etaC().value() > 0)
+        if (m.law().etaC().value() > 0 && m.law().M().value() > 0)
         {
             return true;
         }

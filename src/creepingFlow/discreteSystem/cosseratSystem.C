@@ -440,6 +440,15 @@ void Foam::cosseratSystem::update()
     SubList<scalar>(eta_, nCells_) = materials_.eta().primitiveField();
     SubList<scalar>(etaC_, nCells_) = materials_.etaC().primitiveField();
     SubList<scalar>(M_, nCells_) = materials_.M().primitiveField();
+
+    // Without bending viscosity the moment balance is s = 0: no effect of etaC
+    forAll(etaC_, celli)
+    {
+        if (M_[celli] <= 0)
+        {
+            etaC_[celli] = 0;
+        }
+    }
     halo_.swap("sss", {&eta_, &etaC_, &M_});
 
     // Slots of walls are not read; they must not divide by zero either
