@@ -707,6 +707,47 @@ void Foam::cosseratSystem::addRotationForce
 }
 
 
+void Foam::cosseratSystem::addDivergence
+(
+    const scalarField& x,
+    scalarField& r
+) const
+{
+    const label n = nCells_;
+    SubList<scalar>(u0_, n) = SubList<scalar>(x, n, 0);
+    SubList<scalar>(u1_, n) = SubList<scalar>(x, n, n);
+    halo_.swap("v", {&u0_, &u1_});
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const label P = own_[f], N = nei_[f];
+            const scalar w = w_[f];
+            const scalar flux = S_[f]*
+            (
+                (w*u0_[P] + (1 - w)*u0_[N])*n0_[f]
+              + (w*u1_[P] + (1 - w)*u1_[N])*n1_[f]
+            );
+            r[2*n + P] -= flux;
+            if (N < n)
+            {
+                r[2*n + N] += flux;
+            }
+        }
+    }
+
+    for (const label f : oneSided_)
+    {
+        const label P = own_[f];
+        if (boundary_.velocity(f - nInternal_) == flowBoundary::OPEN)
+        {
+            r[2*n + P] -= S_[f]*(u0_[P]*n0_[f] + u1_[P]*n1_[f]);
+        }
+    }
+}
+
+
 void Foam::cosseratSystem::addCurl
 (
     const scalarField& x,

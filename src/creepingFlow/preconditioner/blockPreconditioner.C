@@ -108,13 +108,12 @@ void Foam::blockPreconditioner::apply
     work_ = r;
     z.setSize(r.size());
 
-    scalarField p(muByV_*SubList<scalar>(r, n, 2*n));
+    scalarField p(2*muByV_*SubList<scalar>(r, n, 2*n));
     if (system_.pressureFloats())
     {
         const scalarField& V = system_.mesh().V();
         p -= gSum(V*p)/gSum(V);
     }
-    SubList<scalar>(z, n, 2*n) = p;
 
     if (system_.cosserat())
     {
@@ -128,6 +127,10 @@ void Foam::blockPreconditioner::apply
     system_.addPressureForce(p, work_);
     cycle(0, 0, work_, z);
     cycle(1, 1, work_, z);
+
+    system_.addDivergence(z, work_);
+    SubList<scalar>(z, n, 2*n) =
+        scalarField(p + 2*muByV_*SubList<scalar>(work_, n, 2*n));
 
     if (system_.cosserat())
     {
