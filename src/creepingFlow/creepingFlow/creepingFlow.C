@@ -86,12 +86,13 @@ bool Foam::creepingFlow::readGoOn() const
 
 Foam::volScalarField Foam::creepingFlow::readOmega() const
 {
-    if (materials_.cosserat())
+    // Where nothing solves for it a file is read all the same, so that what
+    // its patches ask for in vain can be told
+    IOobject io(fieldIO("omega", mesh_, IOobject::MUST_READ));
+
+    if (materials_.cosserat() || io.typeHeaderOk<volScalarField>(true))
     {
-        return volScalarField
-        (
-            fieldIO("omega", mesh_, IOobject::MUST_READ), mesh_
-        );
+        return volScalarField(io, mesh_);
     }
 
     return volScalarField
