@@ -114,18 +114,6 @@ void Foam::cosseratSystem::calcGradient() const
         *G = 0;
     }
 
-    auto add = [&]
-    (
-        const label celli, const scalar s0, const scalar s1,
-        const scalar v0, const scalar v1
-    )
-    {
-        G00_[celli] += s0*v0;
-        G01_[celli] += s0*v1;
-        G10_[celli] += s1*v0;
-        G11_[celli] += s1*v1;
-    };
-
     for (const labelPair& range : twoSided_)
     {
         for (label f = range.first(); f < range.second(); ++f)
@@ -136,15 +124,15 @@ void Foam::cosseratSystem::calcGradient() const
             const scalar v1 = w_[f]*u1_[P] + (1 - w_[f])*u1_[N];
 
             // What a slot gets here is overwritten by swap()
-            add(P, s0, s1, v0, v1);
-            add(N, -s0, -s1, v0, v1);
+            addToGradient(P, s0, s1, v0, v1);
+            addToGradient(N, -s0, -s1, v0, v1);
         }
     }
 
     for (const label f : oneSided_)
     {
         const label b = nei_[f];
-        add(own_[f], S_[f]*n0_[f], S_[f]*n1_[f], u0_[b], u1_[b]);
+        addToGradient(own_[f], S_[f]*n0_[f], S_[f]*n1_[f], u0_[b], u1_[b]);
     }
 
     for (scalarField* G : {&G00_, &G01_, &G10_, &G11_})
@@ -159,18 +147,6 @@ void Foam::cosseratSystem::calcGradient() const
 
 void Foam::cosseratSystem::correctWalls() const
 {
-    auto add = [&]
-    (
-        const label celli, const scalar s0, const scalar s1,
-        const scalar v0, const scalar v1
-    )
-    {
-        G00_[celli] += s0*v0;
-        G01_[celli] += s0*v1;
-        G10_[celli] += s1*v0;
-        G11_[celli] += s1*v1;
-    };
-
     for (const label f : oneSided_)
     {
         const label i = f - nInternal_;
@@ -196,7 +172,7 @@ void Foam::cosseratSystem::correctWalls() const
 
                 u0_[b] += ut*n1;
                 u1_[b] -= ut*n0;
-                add(P, s*n0, s*n1, ut*n1, -ut*n0);
+                addToGradient(P, s*n0, s*n1, ut*n1, -ut*n0);
             }
         }
 
@@ -209,7 +185,7 @@ void Foam::cosseratSystem::correctWalls() const
             c0 += k0_[f]*G00_[P] + k1_[f]*G10_[P];
             c1 += k0_[f]*G01_[P] + k1_[f]*G11_[P];
         }
-        add(P, n0, n1, c0/3, c1/3);
+        addToGradient(P, n0, n1, c0/3, c1/3);
     }
 }
 
@@ -250,19 +226,14 @@ void Foam::cosseratSystem::weightGradient() const
         const label f = jump_[i];
         const scalar v0 = difference[i]*n1_[f], v1 = -difference[i]*n0_[f];
 
-        auto add = [&](const label celli, const scalar s0, const scalar s1)
-        {
-            G00_[celli] += s0*v0/V_[celli];
-            G01_[celli] += s0*v1/V_[celli];
-            G10_[celli] += s1*v0/V_[celli];
-            G11_[celli] += s1*v1/V_[celli];
-        };
+        const label P = own_[f], N = nei_[f];
+        const scalar sP = S_[f]/V_[P];
 
-        const scalar s0 = S_[f]*n0_[f], s1 = S_[f]*n1_[f];
-        add(own_[f], s0, s1);
-        if (nei_[f] < nCells_)
+        addToGradient(P, sP*n0_[f], sP*n1_[f], v0, v1);
+        if (N < nCells_)
         {
-            add(nei_[f], -s0, -s1);
+            const scalar sN = -S_[f]/V_[N];
+            addToGradient(N, sN*n0_[f], sN*n1_[f], v0, v1);
         }
     }
 }
