@@ -200,8 +200,9 @@ def parse_list(text, n_uniform):
     if match.group(2):
         return np.full(int(match.group(2)), float(match.group(3)))
     n, start = int(match.group(1)), match.end()
-    end = head.find("\n)", start)
-    flat = head[start:end if end >= 0 else head.index(")", start)]
+    # Up to the end of the entry, or of the list where it is all of the file
+    end = head.find(";", start)
+    flat = head[start:end if end >= 0 else head.rindex(")")]
     values = np.array(flat.replace("(", " ").replace(")", " ").split(), float)
     return values if len(values) == n else values.reshape(n, -1)
 

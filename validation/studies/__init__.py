@@ -1,0 +1,1 @@
+"""Studies of the validation: one module each, with a function study()."""
