@@ -18,7 +18,8 @@ SIDES = {"left": "(0 4 7 3)", "right": "(1 2 6 5)",
 
 
 class Box:
-    """Unit square [-1/2, 1/2]^2, n x n cells.
+    """Unit square [-1/2, 1/2]^2, n x n cells; xmin moves its left side, and
+    leaves cells away.
 
     materials: dict of name: dict of eta, etaC, R, B, rho; walls: dict of side:
     (U entry, omega entry) as text; g: vector; cyclic: True for cyclic left
@@ -29,12 +30,13 @@ class Box:
     def __init__(self, path, n=16, materials=None, walls=None, g=(0, 0, 0),
                  cyclic=False, fractions=None, U=None, omega=None,
                  tolerance=1e-10, shear=0.0, notConverged="error",
-                 symmetry=()):
+                 symmetry=(), xmin=-0.5):
         self.case = Case(Path(path))
         self.n, self.materials, self.g = n, materials, g
         self.cyclic, self.fractions, self.shear = cyclic, fractions, shear
         self.U, self.omega, self.tolerance = U, omega, tolerance
         self.notConverged, self.symmetry = notConverged, symmetry
+        self.xmin = xmin
         self.walls = {side: ("type slip;", "type zeroGradient;")
                       for side in SIDES}
         self.walls.update(walls or {})
@@ -92,8 +94,9 @@ dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
     def mesh(self):
         """Write blockMeshDict."""
         k = self.shear
-        points = [(-.5 - k/2, -.5), (.5 - k/2, -.5), (.5 + k/2, .5),
-                  (-.5 + k/2, .5)]
+        points = [(self.xmin - k/2, -.5), (.5 - k/2, -.5), (.5 + k/2, .5),
+                  (self.xmin + k/2, .5)]
+        nx = round(self.n*(0.5 - self.xmin))
         vertices = " ".join(f"({x} {y} {z})" for z in (0, 0.1)
                             for x, y in points)
         patches = ""
@@ -107,7 +110,7 @@ dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
             patches += f"{side} {{ {kind} faces ({face}); }}\n"
         self.file("system/blockMeshDict", f"""
 scale 1; vertices ({vertices});
-blocks (hex (0 1 2 3 4 5 6 7) ({self.n} {self.n} 1) simpleGrading (1 1 1));
+blocks (hex (0 1 2 3 4 5 6 7) ({nx} {self.n} 1) simpleGrading (1 1 1));
 edges (); boundary ( {patches} );
 defaultPatch {{ name frontAndBack; type empty; }}
 """)
