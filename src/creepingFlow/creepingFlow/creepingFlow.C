@@ -133,7 +133,8 @@ void Foam::creepingFlow::checkLoads() const
         {
             FatalErrorInFunction
                 << "The given velocities bring in " << net
-                << " m3/s net, of " << magnitude << " m3/s in all, into a"
+                << " m3/s net, with speeds that could bring " << magnitude
+                << " m3/s, into a"
                 << " closed and incompressible body" << nl
                 << "    Allowed: none net, or a patch with given p_rgh, or a"
                 << " finite bulk viscosity B" << exit(FatalError);

@@ -216,10 +216,9 @@ void Foam::cosseratSystem::netInflow(scalar& net, scalar& magnitude) const
         const label i = f - nInternal_;
         if (boundary_.velocity(i) == flowBoundary::VELOCITY)
         {
-            const scalar inflow = -S_[f]*
-                (boundary_.u0(i)*n0_[f] + boundary_.u1(i)*n1_[f]);
-            net += inflow;
-            magnitude += mag(inflow);
+            const scalar u0 = boundary_.u0(i), u1 = boundary_.u1(i);
+            net -= S_[f]*(u0*n0_[f] + u1*n1_[f]);
+            magnitude += S_[f]*Foam::sqrt(sqr(u0) + sqr(u1));
         }
     }
 
