@@ -178,3 +178,33 @@ boundaryField
             for name, alpha in zip(names, (first, 1 - first)):
                 field(f"alpha.{name}", SCALAR, "[0 0 0 0 0 0 0]", alpha,
                       lambda side: "type zeroGradient;")
+
+
+class Annulus(Box):
+    """Quarter of an annulus 1 < r < 2, n cells across, its ends cyclic by
+    rotation; left is the inner wall, right the outer one."""
+
+    def mesh(self):
+        arc = 2**0.5
+        vertices = " ".join(f"({x} {y} {z})" for z in (0, 0.1)
+                            for x, y in ((1, 0), (2, 0), (0, 2), (0, 1)))
+        arcs = " ".join(
+            f"arc {a + 4*i} {b + 4*i} ({r*arc/2!r} {r*arc/2!r} {0.1*i})"
+            for i in (0, 1) for a, b, r in ((1, 2, 2), (0, 3, 1)))
+        ends = " ".join(
+            f"{side} {{ type cyclic; neighbourPatch {other};"
+            " transform rotational; rotationAxis (0 0 1);"
+            f" rotationCentre (0 0 0); faces ({SIDES[side]}); }}"
+            for side, other in (("bottom", "top"), ("top", "bottom")))
+        walls = " ".join(f"{side} {{ type wall; faces ({SIDES[side]}); }}"
+                         for side in ("left", "right"))
+        self.file("system/blockMeshDict", f"""
+scale 1; vertices ({vertices});
+blocks (hex (0 1 2 3 4 5 6 7) ({self.n} {2*self.n} 1) simpleGrading (1 1 1));
+edges ({arcs}); boundary ({ends} {walls});
+defaultPatch {{ name frontAndBack; type empty; }}
+""")
+
+    def fields(self):
+        self.walls = {side: self.walls[side] for side in ("left", "right")}
+        super().fields()
