@@ -56,7 +56,9 @@ Foam::dictionary Foam::creepingFlow::preconditionerControls() const
 {
     dictionary controls;
     controls.add("preconditioner", word("GAMG"));
-    controls.add("nVcycles", 2);
+    controls.add("nVcycles", 3);
+    controls.add("nPostSweeps", 1);
+    controls.add("nFinestSweeps", 1);
     controls.add("smoother", word("GaussSeidel"));
     controls.add("tolerance", 1e-10);
     controls.add("relTol", 0.01);
@@ -273,7 +275,7 @@ void Foam::creepingFlow::report()
             << " after " << performance_.iterations << " iterations:"
             << " residuals of U, p_rgh, omega " << performance_.final << nl
             << "    Cures, in system/fvSolution, creepingFlow: a larger"
-            << " maxIter or nDirections, nVcycles 2 in preconditioner, a"
+            << " maxIter or nDirections, nVcycles 5 in preconditioner, a"
             << " larger tolerance; or notConverged warn, to go on all the same"
             << exit(FatalError);
     }
