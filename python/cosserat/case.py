@@ -113,8 +113,7 @@ class Case:
         text = (self.path/str(time)/name).read_text()
         text = text[text.index("boundaryField"):]
         text = text[re.search(rf"^\s*{patch}\s*\n", text, re.M).end():]
-        return parse_list(re.search(r"value\s", text).string[
-            re.search(r"value\s", text).end():], None)
+        return parse_list(text[re.search(r"value\s", text).end():], None)
 
     def n_cells(self):
         """Number of cells of the mesh."""
