@@ -10,7 +10,7 @@ sys.path.insert(0, str(ROOT/"python"))
 
 # pylint: disable=wrong-import-position
 from cosserat import case as cases
-from box import Box
+from cosserat.box import Box
 
 cases.environment()
 

@@ -107,6 +107,85 @@ class GravityChannel:
         return self.G*y/(2*m.eta) + self.B0*np.sinh(y/m.delta)
 
 
+class SolCx:
+    """Cell driven by a smooth force across a jump of the viscosity at x = 0
+    (the benchmark SolCx, classical fluids): free-slip walls at |x| = |y| =
+    1/2, viscosity eta[0] left and eta[1] right of the middle, body force
+    (0, sin(pi Y) cos(pi X)) with X = x + 1/2, Y = y + 1/2.
+
+    u = U(X) cos(pi Y), v = -U'(X)/pi sin(pi Y), p = P(X) cos(pi Y), where
+    d4U - 2 pi^2 d2U + pi^4 U = -pi^2 sin(pi X)/eta on each side.
+    """
+
+    def __init__(self, eta):
+        self.eta = eta
+        matrix, right = np.zeros((8, 8)), np.zeros(8)
+
+        def row(i, functional, side, sign=1.0):
+            for k in range(4):
+                matrix[i, 4*side + k] += sign*functional(
+                    lambda X, d, k=k: self._basis(k, X, d), eta[side])
+            right[i] -= sign*functional(
+                lambda X, d: self._particular(X, d, eta[side]), eta[side])
+
+        pi = np.pi
+        row(0, lambda U, eta: U(0.0, 0), 0)
+        row(1, lambda U, eta: U(0.0, 2), 0)
+        row(2, lambda U, eta: U(1.0, 0), 1)
+        row(3, lambda U, eta: U(1.0, 2), 1)
+        # Across the middle: both velocities, shear stress, normal stress; the
+        # force vanishes there
+        for i, functional in enumerate((
+                lambda U, eta: U(0.5, 0),
+                lambda U, eta: U(0.5, 1),
+                lambda U, eta: eta*(pi*U(0.5, 0) + U(0.5, 2)/pi),
+                lambda U, eta: eta*(3*U(0.5, 1) - U(0.5, 3)/pi**2))):
+            row(4 + i, functional, 0)
+            row(4 + i, functional, 1, -1.0)
+        self.constants = np.linalg.solve(matrix, right).reshape(2, 4)
+
+    @staticmethod
+    def _basis(k, X, d):
+        """Derivative d of e^(pi X), X e^(pi X), e^(-pi X), X e^(-pi X)."""
+        a = np.pi if k < 2 else -np.pi
+        value = a**d*np.exp(a*X)
+        if k % 2:
+            value = X*value + d*a**(d - 1)*np.exp(a*X)
+        return value
+
+    @staticmethod
+    def _particular(X, d, eta):
+        """Derivative d of -sin(pi X)/(4 pi^2 eta)."""
+        return -np.pi**(d - 2)*np.sin(np.pi*X + d*np.pi/2)/(4*eta)
+
+    def _derivative(self, X, d):
+        X = np.asarray(X, float)
+        sides = [sum(c*self._basis(k, X, d) for k, c in enumerate(constants))
+                 + self._particular(X, d, eta)
+                 for constants, eta in zip(self.constants, self.eta)]
+        return np.where(X < 0.5, *sides)
+
+    def u(self, x, y):
+        """Velocity [m/s], shape (2, ...)."""
+        X, Y = x + 0.5, y + 0.5
+        return np.array([
+            self._derivative(X, 0)*np.cos(np.pi*Y),
+            -self._derivative(X, 1)*np.sin(np.pi*Y)/np.pi])
+
+    def p(self, x, y):
+        """Pressure [Pa], of mean zero."""
+        X, Y = x + 0.5, y + 0.5
+        eta = np.where(X < 0.5, *self.eta)
+        P = (eta*(self._derivative(X, 3)/np.pi - np.pi*self._derivative(X, 1))
+             - np.cos(np.pi*X))/np.pi
+        return P*np.cos(np.pi*Y)
+
+    @staticmethod
+    def force(x, y):
+        """Body force [N/m3], shape (2, ...)."""
+        return np.array([0*x, np.sin(np.pi*(y + 0.5))*np.cos(np.pi*(x + 0.5))])
+
+
 def wall_velocity_no_rotation(material, h, sigma):
     """u(h/2) for Omega = 0 and given sigma; [31] where eta = etaC."""
     layer = ShearLayer(material, h, sigma=sigma, Omega=0)

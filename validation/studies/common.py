@@ -13,7 +13,8 @@ matplotlib.use("Agg")
 from cosserat.analytic import GravityChannel, Material, ShearLayer, err
 from cosserat.case import TUTORIALS, Case, environment, residuals
 
-NAMES = ["convergence", "significance", "internalLength", "granularContact"]
+NAMES = ["convergence", "significance", "internalLength", "longShear",
+         "siloDischarge", "granularContact", "invariants", "manufactured"]
 
 HERE = Path(__file__).resolve().parents[1]
 RESULTS = HERE/"results"

@@ -318,6 +318,65 @@ Foam::vector Foam::cosseratSystem::gravity() const
 }
 
 
+Foam::vector Foam::cosseratSystem::bodyForce(const label celli) const
+{
+    vector force(materials_.rho().primitiveField()[celli]*gravity());
+    if (load_.force())
+    {
+        force += load_.force()->primitiveField()[celli];
+    }
+    return force;
+}
+
+
+void Foam::cosseratSystem::setLoad()
+{
+    if (load_.force())
+    {
+        const vectorField& force = load_.force()->primitiveField();
+        const label i0 = frame_.i0(), i1 = frame_.i1();
+        scalarField b0(halo_.size()), b1(halo_.size());
+
+        SubList<scalar>(b0, nCells_) = force.component(i0)();
+        SubList<scalar>(b1, nCells_) = force.component(i1)();
+        halo_.swap("v", {&b0, &b1});
+
+        for (const labelPair& range : twoSided_)
+        {
+            for (label f = range.first(); f < range.second(); ++f)
+            {
+                const label P = own_[f], N = nei_[f];
+                const scalar wP = w_[f], wN = 1 - wP;
+                gravity_[f] +=
+                    n0_[f]*(wP*b0[P] + wN*b0[N])
+                  + n1_[f]*(wP*b1[P] + wN*b1[N]);
+            }
+        }
+        for (const label f : oneSided_)
+        {
+            gravity_[f] += n0_[f]*b0[own_[f]] + n1_[f]*b1[own_[f]];
+        }
+    }
+
+    if (load_.couple())
+    {
+        const scalarField& couple = load_.couple()->primitiveField();
+        forAll(couple, celli)
+        {
+            if (couple[celli] != 0 && (!cosserat_ || M_[celli] <= 0))
+            {
+                FatalErrorInFunction
+                    << "A bodyCouple of " << couple[celli] << " Pa acts on"
+                    << " cell " << celli << " at " << mesh_.C()[celli]
+                    << ", whose bending viscosity M is 0" << nl
+                    << "    Allowed: bodyCouple 0, or a material with etaC"
+                    << " and R above zero there" << exit(FatalError);
+            }
+        }
+    }
+}
+
+
 void Foam::cosseratSystem::setGravity()
 {
     gravity_.setSize(nFaces_);
@@ -402,6 +461,7 @@ Foam::cosseratSystem::cosseratSystem
     halo_(halo),
     boundary_(boundary),
     materials_(materials),
+    load_(mesh),
     cosserat_(materials.cosserat()),
     compressible_(materials.compressible()),
     nonOrthogonal_(false),
@@ -480,6 +540,7 @@ void Foam::cosseratSystem::update()
 
     setFaceCoefficients();
     setGravity();
+    setLoad();
 }
 
 
@@ -542,10 +603,6 @@ void Foam::cosseratSystem::rotationBlock
         if (rotationUndetermined(celli))
         {
             diag[celli] = V_[celli]*eta_[celli];
-        }
-        else
-        {
-            
         }
     }
 

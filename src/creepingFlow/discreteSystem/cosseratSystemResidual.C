@@ -580,6 +580,16 @@ void Foam::cosseratSystem::addCells
         }
     }
 
+    if (driven && cosserat_ && load_.couple())
+    {
+        const scalarField& couple = load_.couple()->primitiveField();
+        for (label celli = 0; celli < n; ++celli)
+        {
+            // Zero where there is no equation for omega
+            r[3*n + celli] += V_[celli]*couple[celli];
+        }
+    }
+
     if (compressible_)
     {
         const scalarField& invB = materials_.invB().primitiveField();

@@ -145,16 +145,19 @@ Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
         }
     }
 
-    // What the reconstructed force does beyond gravity is the work of the
+    // What the reconstructed force does beyond gravity and body force is the work of the
     // discrete pressure
-    const vector g(gravity());
-    const scalarField& rho = materials_.rho().primitiveField();
-    const scalar g0 = g[frame_.i0()], g1 = g[frame_.i1()];
-
     for (label celli = 0; celli < nCells_; ++celli)
     {
+        const vector b(bodyForce(celli));
         const scalar weight =
-            rho[celli]*(u0_[celli]*g0 + u1_[celli]*g1);
+            u0_[celli]*b[frame_.i0()] + u1_[celli]*b[frame_.i1()];
+
+        if (cosserat_ && load_.couple())
+        {
+            sum.gravity += V_[celli]*omega_[celli]
+               *load_.couple()->primitiveField()[celli];
+        }
 
         sum.gravity += V_[celli]*weight;
         sum.pressure += V_[celli]*
@@ -195,11 +198,9 @@ void Foam::cosseratSystem::netForce
         add(boundary_.traction(f - nInternal_)*S_[f]*(t & direction));
     }
 
-    const vector g(gravity());
-    const scalarField& rho = materials_.rho().primitiveField();
-    forAll(rho, celli)
+    for (label celli = 0; celli < nCells_; ++celli)
     {
-        add(rho[celli]*V_[celli]*(g & direction));
+        add(V_[celli]*(bodyForce(celli) & direction));
     }
 
     reduce(net, sumOp<scalar>());

@@ -1,5 +1,5 @@
-"""A box with one or two materials, written from scratch: the scene of the
-tests that no tutorial covers."""
+"""A box with one or two materials, written from scratch: the scene of
+tests and studies that no tutorial covers."""
 
 from pathlib import Path
 
@@ -24,19 +24,22 @@ class Box:
     materials: dict of name: dict of eta, etaC, R, B, rho; walls: dict of side:
     (U entry, omega entry) as text; g: vector; cyclic: True for cyclic left
     and right; fractions: function (x, y) -> fraction of the first material,
-    where there are two; U, omega: functions (x, y) for the initial fields.
+    where there are two; U, omega: functions (x, y) for the initial fields;
+    force, couple: functions (x, y) for a body force and a body couple.
     """
 
     def __init__(self, path, n=16, materials=None, walls=None, g=(0, 0, 0),
                  cyclic=False, fractions=None, U=None, omega=None,
                  tolerance=1e-10, shear=0.0, notConverged="error",
-                 symmetry=(), xmin=-0.5):
+                 symmetry=(), xmin=-0.5, force=None, couple=None,
+                 average="arithmetic"):
         self.case = Case(Path(path))
         self.n, self.materials, self.g = n, materials, g
         self.cyclic, self.fractions, self.shear = cyclic, fractions, shear
         self.U, self.omega, self.tolerance = U, omega, tolerance
         self.notConverged, self.symmetry = notConverged, symmetry
-        self.xmin = xmin
+        self.xmin, self.average = xmin, average
+        self.force, self.couple = force, couple
         self.walls = {side: ("type slip;", "type zeroGradient;")
                       for side in SIDES}
         self.walls.update(walls or {})
@@ -84,7 +87,8 @@ dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
         constantCoeffs {{ eta {m['eta']}; etaC {m['etaC']}; R {m['R']};
             B {m.get('B', 'infinite')}; }}
     }}""" for name, m in self.materials.items())
-        self.file("constant/materialProperties", f"materials\n{{{laws}\n}}\n")
+        self.file("constant/materialProperties", f"materials\n{{{laws}\n}}\n"
+                  f"viscosityAverage {self.average};\n")
         self.mesh()
         self.case.run("blockMesh", "-noFunctionObjects")
         (self.case.path/"0").mkdir(exist_ok=True)
@@ -171,6 +175,16 @@ boundaryField
               lambda side: patch(side, 1, self.omega, False))
         field("p_rgh", SCALAR, "[1 -1 -2 0 0 0 0]", np.zeros(len(x)),
               lambda side: "type zeroGradient;")
+
+        if self.force:
+            b = np.zeros((len(x), 3))
+            b[:, :2] = np.array(self.force(x, y)).T
+            field("bodyForce", VECTOR, "[1 -2 -2 0 0 0 0]", b,
+                  lambda side: "type zeroGradient;")
+        if self.couple:
+            field("bodyCouple", SCALAR, "[1 -1 -2 0 0 0 0]",
+                  np.broadcast_to(self.couple(x, y), len(x)),
+                  lambda side: "type zeroGradient;")
 
         names = list(self.materials)
         if len(names) == 2:

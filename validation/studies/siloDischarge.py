@@ -1,0 +1,136 @@
+"""Discharge of the silo (the paper's Figures 9 and 11): internal lengths alpha
+of 0, 1/3, 2/3, 5/3, 10/3 apertures on three meshes, and the average of the
+viscosity in cut cells."""
+
+import re
+import shutil
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from cosserat.case import residuals
+from cosserat.picture import outflow, snapshots
+from studies.common import new_case, save, RESULTS
+
+ALPHAS = {"0": 0.0, "1/3": 1/3, "2/3": 2/3, "5/3": 5/3, "10/3": 10/3}
+
+#: Cells a unit length
+MESHES = [4, 8, 16]
+
+VOLUME = 25.0
+
+#: The paper's times, the initial one as the first step of the run at rest
+REST = 1e-9
+TIMES = [REST, 4.75e-4, 1.425e-3, 2.85e-3, 3.8e-3]
+
+#: Lengths of the blocks of blockMeshDict
+BLOCKS = {"nWall": 0.25, "nAperture": 1, "nCorridor": 1, "nAbove": 1,
+          "nFloor": 2, "nBelow": 3.75, "nFill": 5}
+
+
+def initial_rate(case):
+    """Volume that leaves through the aperture in a time, at rest [m2/s]: the
+    velocity through y = 0, from the cells on either side."""
+    case.substitute("system/controlDict", {
+        "endTime": REST, "deltaT": REST, "adjustTimeStep": "no",
+        "writeControl": "timeStep", "writeInterval": 1})
+    case.run("cosseratPicFoam")
+    centres, U = case.centres(), case.field("U")
+    width = np.ptp(np.unique(centres[:, 0].round(9))[:2])
+    rows = ((np.abs(centres[:, 0]) < 0.5)
+            & (np.abs(centres[:, 1]) < 0.75*width))
+    return float(-U[rows, 1].sum()*width/2)
+
+
+def run(name, alpha, cells, average):
+    """One discharge: its case and row."""
+    def scene(target):
+        case = new_case("siloDischarge", target, "silo")
+        case.substitute("system/blockMeshDict", {
+            key: round(length*cells) for key, length in BLOCKS.items()})
+        case.substitute("constant/materialProperties", {
+            "alpha": repr(alpha), "viscosityAverage": average})
+        case.run("blockMesh")
+        return case
+
+    target = f"{name.replace('/', '_')}-{cells}-{average}"
+    rest = scene(f"{target}-rest")
+    rate = initial_rate(rest)
+    case = scene(target)
+    case.run("cosseratPicFoam")
+    # The picture at rest
+    shutil.copytree(rest.path/rest.times()[0], case.path/rest.times()[0])
+
+    log, rows = case.log(), outflow(case)
+    half = np.flatnonzero(rows[:, 1] >= VOLUME/2)
+    return case, {
+        "alpha": alpha, "cells": cells, "cell": 1/cells,
+        "viscosityAverage": average,
+        "initialRate": rate,
+        "outflow": float(rows[-1, 1]),
+        "timeToHalf": float(np.interp(VOLUME/2, *rows[half[0] - 1:half[0] + 1,
+                                                      [1, 0]].T))
+        if half.size else None,
+        "volumeDrift": float(np.abs(rows[:, 4]/VOLUME - 1).max()),
+        "steps": len(rows) - 1,
+        "maxIterations": max(row[3] for row in residuals(log)),
+        "cpu": float(re.findall(r"ExecutionTime = (\S+) s", log)[-1]),
+    }
+
+
+def draw(cases, names):
+    """Volume against time by alpha, all meshes; and by average."""
+    figure, axes = plt.subplots(1, 2, figsize=(10, 4.2), dpi=130, sharey=True)
+    for (name, cells, average), case in cases.items():
+        rows = outflow(case)
+        style = {"lw": 1.4*cells/MESHES[-1] + 0.3}
+        if average == "geometric":
+            axes[0].plot(
+                rows[:, 0]*1e3, rows[:, 1], color=f"C{names.index(name)}",
+                label=rf"$\alpha$ = {name}" if cells == MESHES[-1] else None,
+                **style)
+        if name == "2/3":
+            i = ["geometric", "arithmetic", "harmonic"].index(average)
+            axes[1].plot(
+                rows[:, 0]*1e3, rows[:, 1], color=f"C{i}",
+                label=f"{average} mean" if cells == 8 else None,
+                **style)
+    for axis, title in zip(axes, (
+            "internal length, geometric mean", r"mean, $\alpha$ = 2/3")):
+        axis.axhline(VOLUME, color="grey", lw=0.8, ls=":")
+        axis.set_title(title, fontsize=10)
+        axis.set_xlabel("time [ms]")
+        axis.set_xlim(0, 3.8)
+        axis.set_ylim(0, 26)
+        axis.grid(alpha=0.3)
+        axis.legend(fontsize=8)
+    axes[0].set_ylabel("volume that has left the fill [m$^2$]")
+    save(figure, "siloDischarge")
+    plt.close(figure)
+
+
+def study():
+    """Rows: alpha, cells (a unit), cell (width), viscosityAverage,
+    initialRate [m2/s], outflow [m2] at the end, timeToHalf [s], volumeDrift
+    (largest, relative, of the volume on the mesh), steps, maxIterations,
+    cpu."""
+    wanted = [(name, cells, "geometric") for cells in MESHES
+              for name in ALPHAS]
+    wanted += [("2/3", cells, average) for cells in MESHES
+               for average in ("arithmetic", "harmonic")
+               if average == "arithmetic" or cells < MESHES[-1]]
+    cases, rows = {}, []
+    for name, cells, average in wanted:
+        case, row = run(name, ALPHAS[name], cells, average)
+        cases[name, cells, average] = case
+        rows.append(row)
+        print(row, flush=True)
+
+    draw(cases, list(ALPHAS))
+    for name in ("0", "2/3"):
+        case = cases[name, 8, "geometric"]
+        times = [t for t in case.times()
+                 if min(abs(float(t)/shown - 1) for shown in TIMES) < 1e-3]
+        snapshots(case, times, [1],
+                  RESULTS/f"siloDischarge-{name.replace('/', '_')}.png")
+    return rows
