@@ -205,6 +205,8 @@ void Foam::cosseratSystem::setFaceCoefficients()
 
     DynamicList<label> jump;
     DynamicList<scalar> jumpW, jumpC;
+    wStiff_ = w_;
+    wSoft_ = w_;
 
     for (const labelPair& range : twoSided_)
     {
@@ -248,8 +250,11 @@ void Foam::cosseratSystem::setFaceCoefficients()
             )
             {
                 const scalar kP = a_[P]/lP, kN = a_[N]/lN;
+                const scalar wP = w_[f], wN = 1 - wP;
                 jump.append(f);
                 jumpW.append(kP/(kP + kN));
+                wStiff_[f] = wP*eta_[P]/(wP*eta_[P] + wN*eta_[N]);
+                wSoft_[f] = wP*eta_[N]/(wP*eta_[N] + wN*eta_[P]);
                 jumpC.append(1/(dc_[f]*(kP + kN)));
             }
         }
@@ -477,7 +482,7 @@ Foam::cosseratSystem::cosseratSystem
     for
     (
         scalarField* field :
-        {&eta_, &etaC_, &M_, &rAU_, &u0_, &u1_, &p_, &omega_,
+        {&eta_, &etaC_, &M_, &u0_, &u1_, &p_, &omega_,
          &G00_, &G01_, &G10_, &G11_, &f0_, &f1_}
     )
     {
@@ -485,7 +490,7 @@ Foam::cosseratSystem::cosseratSystem
         *field = 0;
     }
 
-    for (scalarField* field : {&ff_, &phi_})
+    for (scalarField* field : {&ff_, &phi_, &rAUf_})
     {
         field->setSize(nFaces_);
         *field = 0;
@@ -632,40 +637,34 @@ void Foam::cosseratSystem::rotationBlock
 
 void Foam::cosseratSystem::setRAU(const scalarField& rAU)
 {
-    SubList<scalar>(rAU_, nCells_) = rAU;
-    halo_.swap("s", {&rAU_});
-}
-
-
-Foam::tmp<Foam::scalarField> Foam::cosseratSystem::pressureViscosity() const
-{
-    tmp<scalarField> tmu(new scalarField(nCells_));
-    scalarField& mu = tmu.ref();
-    scalarField count(nCells_, 1.0);
-
-    forAll(mu, celli)
-    {
-        mu[celli] = 1/eta_[celli];
-    }
+    scalarField extended(halo_.size());
+    SubList<scalar>(extended, nCells_) = rAU;
+    halo_.swap("s", {&extended});
 
     for (const labelPair& range : twoSided_)
     {
         for (label f = range.first(); f < range.second(); ++f)
         {
             const label P = own_[f], N = nei_[f];
-            mu[P] += 1/eta_[N];
-            count[P] += 1;
-            if (N < nCells_)
-            {
-                mu[N] += 1/eta_[P];
-                count[N] += 1;
-            }
+            rAUf_[f] =
+                (w_[f]*extended[P] + (1 - w_[f])*extended[N])
+               *4*eta_[P]*eta_[N]/sqr(eta_[P] + eta_[N]);
         }
     }
+    for (const label f : oneSided_)
+    {
+        rAUf_[f] = extended[own_[f]];
+    }
+}
 
-    mu = mu/count + materials_.invB().primitiveField();
 
-    return 1/tmu;
+Foam::tmp<Foam::scalarField> Foam::cosseratSystem::pressureViscosity() const
+{
+    return 1/
+    (
+        1/scalarField(SubList<scalar>(eta_, nCells_))
+      + materials_.invB().primitiveField()
+    );
 }
 
 

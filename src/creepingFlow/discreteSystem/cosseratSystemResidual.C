@@ -195,15 +195,15 @@ void Foam::cosseratSystem::weightGradient() const
     halo_.swap("t", {&G00_, &G01_, &G10_, &G11_});
 
     // Face values first, from the linear gradients on both sides
-    scalarField difference(jump_.size());
+    scalarField v0(jump_.size()), v1(jump_.size());
 
     forAll(jump_, i)
     {
         const label f = jump_[i];
         const label P = own_[f], N = nei_[f];
         const scalar q =
-            w_[f]*tangentialGradientOfNormal(P, f)
-          + (1 - w_[f])*tangentialGradientOfNormal(N, f);
+            wStiff_[f]*tangentialGradientOfNormal(P, f)
+          + (1 - wStiff_[f])*tangentialGradientOfNormal(N, f);
 
         scalar c = (b_[N] - b_[P])*q;
         if (cosserat_)
@@ -215,25 +215,28 @@ void Foam::cosseratSystem::weightGradient() const
                - 2*(etaC_[P] - es_[P])*relativeRotation(P);
         }
 
-        const scalar ut =
-            (u0_[P] - u0_[N])*n1_[f] - (u1_[P] - u1_[N])*n0_[f];
+        scalar d0, d1;
+        difference(f, d0, d1);
+        const scalar vn =
+            (w_[f] - wStiff_[f])*(d0*n0_[f] + d1*n1_[f]);
+        const scalar vt =
+            (w_[f] - jumpW_[i])*(d0*n1_[f] - d1*n0_[f]) + jumpC_[i]*c;
 
-        difference[i] = (jumpW_[i] - w_[f])*ut + jumpC_[i]*c;
+        v0[i] = vn*n0_[f] + vt*n1_[f];
+        v1[i] = vn*n1_[f] - vt*n0_[f];
     }
 
     forAll(jump_, i)
     {
         const label f = jump_[i];
-        const scalar v0 = difference[i]*n1_[f], v1 = -difference[i]*n0_[f];
-
         const label P = own_[f], N = nei_[f];
         const scalar sP = S_[f]/V_[P];
 
-        addToGradient(P, sP*n0_[f], sP*n1_[f], v0, v1);
+        addToGradient(P, sP*n0_[f], sP*n1_[f], v0[i], v1[i]);
         if (N < nCells_)
         {
             const scalar sN = -S_[f]/V_[N];
-            addToGradient(N, sN*n0_[f], sN*n1_[f], v0, v1);
+            addToGradient(N, sN*n0_[f], sN*n1_[f], v0[i], v1[i]);
         }
     }
 }
@@ -321,29 +324,45 @@ void Foam::cosseratSystem::reconstruct() const
         f0_[celli] = T00_[celli]*s0 + T01_[celli]*s1;
         f1_[celli] = T01_[celli]*s0 + T11_[celli]*s1;
     }
+
+    if (anyJump_)
+    {
+        weightForce();
+    }
+}
+
+
+void Foam::cosseratSystem::weightForce() const
+{
+    forAll(jump_, i)
+    {
+        const label f = jump_[i];
+        const label P = own_[f], N = nei_[f];
+        const scalar change = (wSoft_[f] - w_[f])*S_[f]*ff_[f]/dc_[f];
+
+        f0_[P] -= change*n0_[f]/V_[P];
+        f1_[P] -= change*n1_[f]/V_[P];
+        if (N < nCells_)
+        {
+            f0_[N] += change*n0_[f]/V_[N];
+            f1_[N] += change*n1_[f]/V_[N];
+        }
+    }
 }
 
 
 void Foam::cosseratSystem::viscousForce
 (
     const label f,
+    const scalar d0,
+    const scalar d1,
     scalar& F0,
     scalar& F1
 ) const
 {
     const label P = own_[f], N = nei_[f];
     const scalar n0 = n0_[f], n1 = n1_[f];
-    const scalar wP = w_[f], wN = 1 - wP;
-
-    scalar d0 = u0_[N] - u0_[P];
-    scalar d1 = u1_[N] - u1_[P];
-
-    if (nonOrthogonal_)
-    {
-        const scalar k0 = k0_[f]/dc_[f], k1 = k1_[f]/dc_[f];
-        d0 += k0*(wP*G00_[P] + wN*G00_[N]) + k1*(wP*G10_[P] + wN*G10_[N]);
-        d1 += k0*(wP*G01_[P] + wN*G01_[N]) + k1*(wP*G11_[P] + wN*G11_[N]);
-    }
+    const scalar wP = wStiff_[f], wN = 1 - wP;
 
     const scalar q =
         wP*tangentialGradientOfNormal(P, f)
@@ -471,20 +490,23 @@ void Foam::cosseratSystem::addTwoSided(scalarField& r) const
         for (label f = range.first(); f < range.second(); ++f)
         {
             const label P = own_[f], N = nei_[f];
+            const scalar n0 = n0_[f], n1 = n1_[f];
             const scalar wP = w_[f], wN = 1 - wP;
+            const scalar sP = wSoft_[f], sN = 1 - sP;
 
-            scalar F0, F1;
-            viscousForce(f, F0, F1);
+            scalar d0, d1, F0, F1;
+            difference(f, d0, d1);
+            viscousForce(f, d0, d1, F0, F1);
 
             phi_[f] = S_[f]*
             (
-                (wP*u0_[P] + wN*u0_[N])*n0_[f]
-              + (wP*u1_[P] + wN*u1_[N])*n1_[f]
-              + (wP*rAU_[P] + wN*rAU_[N])*
+                (wP*u0_[P] + wN*u0_[N])*n0 + (wP*u1_[P] + wN*u1_[N])*n1
+              + (wP - wStiff_[f])*(d0*n0 + d1*n1)
+              + rAUf_[f]*
                 (
                     ff_[f]
-                  - (wP*f0_[P] + wN*f0_[N])*n0_[f]
-                  - (wP*f1_[P] + wN*f1_[N])*n1_[f]
+                  - (sP*f0_[P] + sN*f0_[N])*n0
+                  - (sP*f1_[P] + sN*f1_[N])*n1
                 )
             );
 
@@ -535,7 +557,7 @@ void Foam::cosseratSystem::addOneSided
          && boundary_.pressureFixed(f - nInternal_)
         )
         {
-            phi_[f] += S_[f]*rAU_[P]*
+            phi_[f] += S_[f]*rAUf_[f]*
                 (ff_[f] - f0_[P]*n0_[f] - f1_[P]*n1_[f]);
         }
 
@@ -704,7 +726,7 @@ void Foam::cosseratSystem::addDivergence
         for (label f = range.first(); f < range.second(); ++f)
         {
             const label P = own_[f], N = nei_[f];
-            const scalar w = w_[f];
+            const scalar w = wStiff_[f];
             const scalar flux = S_[f]*
             (
                 (w*u0_[P] + (1 - w)*u0_[N])*n0_[f]

@@ -107,8 +107,9 @@ Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
         for (label f = range.first(); f < range.second(); ++f)
         {
             const label P = own_[f], N = nei_[f];
-            scalar F0, F1;
-            viscousForce(f, F0, F1);
+            scalar d0, d1, F0, F1;
+            difference(f, d0, d1);
+            viscousForce(f, d0, d1, F0, F1);
 
             sum.viscous += share*
                 (F0*(u0_[N] - u0_[P]) + F1*(u1_[N] - u1_[P]));
