@@ -35,7 +35,7 @@ MISTAKES = {
                    ["B", "infinit", "infinite"]),
     "B zero": (MATERIALS, "B           infinite;", "B 0;",
                ["B", "above zero"]),
-    "unknown average": (MATERIALS, "viscosityAverage    geometric;",
+    "unknown average": (MATERIALS, "viscosityAverage    arithmetic;",
                         "viscosityAverage mean;",
                         ["mean", "arithmetic", "geometric", "harmonic"]),
     "unknown material": (POINTS, "material    background;",

@@ -10,6 +10,7 @@ import pytest
 from cosserat.analytic import (GravityChannel, Material, ShearLayer, err,
                                granular_contact)
 from cosserat.case import residuals
+from studies import longShear
 
 ETA, ETAC, _ = granular_contact(0, 4, 1e11, 1e11)
 MATERIAL = Material(ETA, ETAC, 0.3)
@@ -91,23 +92,18 @@ def test_gravity_channel_can_fail(tutorial):
     assert u > 3*3.1e-6 and omega > 3*1.6e-4
 
 
-def test_bands_stay_straight_and_odd(tutorial):
-    """The dye of the shear layer tutorial: after a shear of 5 the line y = 0
-    crosses one band, in the middle, and there are five."""
-    case = tutorial("shearLayer")
-    case.run("cosseratPicFoam")
-    xyz, dye = case.cloud("positions"), case.cloud("dye")
-    middle = xyz[(dye > 0) & (abs(xyz[:, 1]) < 0.02)]
-    assert abs(middle[:, 0].mean() - 0.5) < 0.02
-    assert middle[:, 0].std() < 0.2
-
-    # Bands crossed on the way from wall to wall near x = 1/2
-    column = xyz[abs(xyz[:, 0] - 0.5) < 0.02]
-    dyed = dye[abs(xyz[:, 0] - 0.5) < 0.02][column[:, 1].argsort()] > 0
-    smooth = [dyed[max(i - 2, 0):i + 3].mean() > 0.5 for i in range(len(dyed))]
-    bands = sum(b and not a for a, b in zip([False] + smooth, smooth))
-    assert bands == 5
-    assert len(xyz) == 24*24*16
+def test_bands_stay_straight_and_odd(tmp_path):
+    """A hundred of the thousand steps of the study: errors, bands and points
+    a cell as at the first step."""
+    first, last = longShear.run(tmp_path/"case", [1, 100])
+    assert last["shear"] > 5
+    for key in ("errU", "errOmega"):
+        assert abs(last[key]/first[key] - 1) < 1e-6
+    assert (first["bands"], last["bands"]) == (1, 5)
+    assert last["asymmetry"] < 1e-8
+    assert last["bandError"] < 2.7e-3
+    assert last["minPoints"] == last["maxPoints"] == 36
+    assert last["added"] == 0
 
 
 def test_gravity_channel_on_a_graded_mesh(tutorial):

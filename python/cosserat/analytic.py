@@ -186,6 +186,92 @@ class SolCx:
         return np.array([0*x, np.sin(np.pi*(y + 0.5))*np.cos(np.pi*(x + 0.5))])
 
 
+class Manufactured:
+    """Solution made up on a box bent to a shape: eta, etaC and M vary
+    smoothly by the fraction of a material, loads follow from the balances.
+
+    X, Y: functions (x, y) -> [0, 1], coordinates that follow the walls. With
+    stream function sin^2(pi X) sin^2(pi Y) the fluid rests at all walls;
+    omega = 1/2 + sin(pi X) sin(pi Y) is 1/2 there, p = cos(pi X) cos(pi Y).
+    first and second are the materials, of fractions alpha and 1 - alpha.
+    """
+
+    #: Step and weights of central differences of eighth order
+    STEP = 5e-3
+    WEIGHTS = np.array([4/5, -1/5, 4/105, -1/280])
+
+    def __init__(self, X, Y, first, second):
+        self.X, self.Y, self.first, self.second = X, Y, first, second
+
+    def _d(self, function, i):
+        """Derivative of a function along x (0) or y (1)."""
+        def derivative(x, y):
+            total = 0
+            for k, weight in enumerate(self.WEIGHTS, start=1):
+                step = np.array([0.0, 0.0])
+                step[i] = k*self.STEP
+                total = total + weight*(
+                    function(x + step[0], y + step[1])
+                    - function(x - step[0], y - step[1]))
+            return total/self.STEP
+        return derivative
+
+    def _psi(self, x, y):
+        return (np.sin(np.pi*self.X(x, y))*np.sin(np.pi*self.Y(x, y)))**2
+
+    def alpha(self, x, y):
+        """Fraction of the first material."""
+        return 0.5 + 0.4*np.sin(2*np.pi*self.X(x, y))*np.cos(
+            np.pi*self.Y(x, y))
+
+    def _mix(self, name):
+        def mean(x, y):
+            alpha = self.alpha(x, y)
+            return (alpha*getattr(self.first, name)
+                    + (1 - alpha)*getattr(self.second, name))
+        return mean
+
+    def u(self, x, y):
+        """Velocity [m/s], shape (2, ...)."""
+        return np.array([self._d(self._psi, 1)(x, y),
+                         -self._d(self._psi, 0)(x, y)])
+
+    def omega(self, x, y):
+        """Microrotation [1/s]."""
+        return 0.5 + np.sin(np.pi*self.X(x, y))*np.sin(np.pi*self.Y(x, y))
+
+    def p(self, x, y):
+        """Pressure [Pa]."""
+        return np.cos(np.pi*self.X(x, y))*np.cos(np.pi*self.Y(x, y))
+
+    def _stress(self, i, j):
+        """sigma_ij, [13]; gamma_ij = u_i,j + e_kij omega_k."""
+        def gamma(i, j, x, y):
+            return (self._d(lambda a, b: self.u(a, b)[i], j)(x, y)
+                    + (j - i)*self.omega(x, y))
+
+        def stress(x, y):
+            eta, etaC = self._mix("eta")(x, y), self._mix("etaC")(x, y)
+            return ((eta + etaC)*gamma(i, j, x, y)
+                    + (eta - etaC)*gamma(j, i, x, y)
+                    - (i == j)*self.p(x, y))
+        return stress
+
+    def force(self, x, y):
+        """Body force [N/m3] that the linear balance needs, shape (2, ...)."""
+        return -np.array([
+            self._d(self._stress(i, 0), 0)(x, y)
+            + self._d(self._stress(i, 1), 1)(x, y) for i in (0, 1)])
+
+    def couple(self, x, y):
+        """Body couple [Pa] that the angular balance needs."""
+        M = self._mix("M")
+        bending = sum(
+            self._d(lambda a, b, i=i: M(a, b)*self._d(self.omega, i)(a, b),
+                    i)(x, y) for i in (0, 1))
+        return -bending + (self._stress(0, 1)(x, y) - self._stress(1, 0)(x, y))
+
+
 def wall_velocity_no_rotation(material, h, sigma):
     """u(h/2) for Omega = 0 and given sigma; [31] where eta = etaC."""
     layer = ShearLayer(material, h, sigma=sigma, Omega=0)

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
-from cosserat.case import Case, ROOT
+from cosserat.case import Case, ROOT, parse_list
+from cosserat.triangles import write_prisms
 
 HEADER = """FoamFile
 {{ version 2.0; format ascii; class {cls}; object {name}; }}
@@ -25,14 +26,16 @@ class Box:
     (U entry, omega entry) as text; g: vector; cyclic: True for cyclic left
     and right; fractions: function (x, y) -> fraction of the first material,
     where there are two; U, omega: functions (x, y) for the initial fields;
-    force, couple: functions (x, y) for a body force and a body couple.
+    force, couple: functions (x, y) for a body force and a body couple;
+    warp: function (x, y) -> (x, y) that moves the points of the mesh;
+    triangles: True for triangular prisms.
     """
 
     def __init__(self, path, n=16, materials=None, walls=None, g=(0, 0, 0),
                  cyclic=False, fractions=None, U=None, omega=None,
                  tolerance=1e-10, shear=0.0, notConverged="error",
                  symmetry=(), xmin=-0.5, force=None, couple=None,
-                 average="arithmetic"):
+                 average="arithmetic", warp=None, triangles=False):
         self.case = Case(Path(path))
         self.n, self.materials, self.g = n, materials, g
         self.cyclic, self.fractions, self.shear = cyclic, fractions, shear
@@ -40,6 +43,7 @@ class Box:
         self.notConverged, self.symmetry = notConverged, symmetry
         self.xmin, self.average = xmin, average
         self.force, self.couple = force, couple
+        self.warp, self.triangles = warp, triangles
         self.walls = {side: ("type slip;", "type zeroGradient;")
                       for side in SIDES}
         self.walls.update(walls or {})
@@ -89,8 +93,13 @@ dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
     }}""" for name, m in self.materials.items())
         self.file("constant/materialProperties", f"materials\n{{{laws}\n}}\n"
                   f"viscosityAverage {self.average};\n")
-        self.mesh()
-        self.case.run("blockMesh", "-noFunctionObjects")
+        if self.triangles:
+            write_prisms(self.case, self.n)
+        else:
+            self.mesh()
+            self.case.run("blockMesh", "-noFunctionObjects")
+        if self.warp:
+            self.move_points()
         (self.case.path/"0").mkdir(exist_ok=True)
         self.fields()
         return self.case
@@ -118,6 +127,17 @@ blocks (hex (0 1 2 3 4 5 6 7) ({nx} {self.n} 1) simpleGrading (1 1 1));
 edges (); boundary ( {patches} );
 defaultPatch {{ name frontAndBack; type empty; }}
 """)
+
+    def move_points(self):
+        """Apply warp to the points of the mesh."""
+        path = self.case.path/"constant/polyMesh/points"
+        text = path.read_text()
+        start = text.index("(", text.index("// * *"))
+        points = parse_list("nonuniform List<vector> " + text[
+            text.index("// * *"):].split("//\n", 1)[1], None)
+        points[:, 0], points[:, 1] = self.warp(points[:, 0], points[:, 1])
+        rows = "\n".join(f"({x!r} {y!r} {z!r})" for x, y, z in points.tolist())
+        path.write_text(f"{text[:start]}(\n{rows}\n)\n")
 
     def fields(self):
         """Write the fields of time 0."""

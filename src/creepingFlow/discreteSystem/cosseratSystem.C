@@ -41,12 +41,18 @@ void Foam::cosseratSystem::setGeometry()
 
     own_.setSize(nFaces_);
     nei_.setSize(nFaces_);
-    for (scalarField* field : {&n0_, &n1_, &S_, &dc_, &w_, &k0_, &k1_})
+    for
+    (
+        scalarField* field :
+        {&n0_, &n1_, &S_, &dc_, &w_, &m0_, &m1_, &k0_, &k1_, &s0_, &s1_}
+    )
     {
         field->setSize(nFaces_);
+        *field = 0;
     }
 
-    scalar largestAngle = 0;
+    // Squares
+    scalar largestAngle = 0, largestSkewness = 0;
 
     auto setFace = [&]
     (
@@ -55,7 +61,8 @@ void Foam::cosseratSystem::setGeometry()
         const scalar magS,
         const scalar dcf,
         const scalar wf,
-        const vector& d
+        const vector& d,
+        const vector& s
     )
     {
         n0_[f] = S[i0]/magS;
@@ -63,16 +70,26 @@ void Foam::cosseratSystem::setGeometry()
         S_[f] = magS;
         dc_[f] = dcf;
         w_[f] = wf;
-        k0_[f] = n0_[f] - dcf*d[i0];
-        k1_[f] = n1_[f] - dcf*d[i1];
+        m0_[f] = dcf*d[i0];
+        m1_[f] = dcf*d[i1];
+        k0_[f] = n0_[f] - m0_[f];
+        k1_[f] = n1_[f] - m1_[f];
+        s0_[f] = s[i0];
+        s1_[f] = s[i1];
         largestAngle = max(largestAngle, sqr(k0_[f]) + sqr(k1_[f]));
+        largestSkewness =
+            max(largestSkewness, (sqr(s0_[f]) + sqr(s1_[f]))*sqr(dcf));
     };
 
     for (label f = 0; f < nInternal_; ++f)
     {
         own_[f] = mesh_.owner()[f];
         nei_[f] = mesh_.neighbour()[f];
-        setFace(f, Sf[f], magSf[f], dc[f], w[f], delta[f]);
+        setFace
+        (
+            f, Sf[f], magSf[f], dc[f], w[f], delta[f],
+            mesh_.Cf()[f] - C[own_[f]] - (1 - w[f])*delta[f]
+        );
     }
 
     DynamicList<labelPair> ranges;
@@ -88,6 +105,10 @@ void Foam::cosseratSystem::setGeometry()
         {
             const label f = start + i;
             const vector& S = Sf.boundaryField()[patchi][i];
+            const vector out
+            (
+                mesh_.Cf().boundaryField()[patchi][i] - C[patch.faceCells()[i]]
+            );
             const scalar magS = magSf.boundaryField()[patchi][i];
 
             own_[f] = patch.faceCells()[i];
@@ -95,21 +116,20 @@ void Foam::cosseratSystem::setGeometry()
 
             if (patch.coupled())
             {
+                const scalar wf = w.boundaryField()[patchi][i];
+                const vector& d = delta.boundaryField()[patchi][i];
                 setFace
                 (
-                    f, S, magS,
-                    dc.boundaryField()[patchi][i],
-                    w.boundaryField()[patchi][i],
-                    delta.boundaryField()[patchi][i]
+                    f, S, magS, dc.boundaryField()[patchi][i], wf, d,
+                    out - (1 - wf)*d
                 );
             }
             else
             {
-                const vector d
+                setFace
                 (
-                    mesh_.Cf().boundaryField()[patchi][i] - C[own_[f]]
+                    f, S, magS, magS/(S & out), 1, out, vector(Zero)
                 );
-                setFace(f, S, magS, magS/(S & d), 1, d);
                 oneSided.append(f);
             }
         }
@@ -124,33 +144,94 @@ void Foam::cosseratSystem::setGeometry()
     oneSided_ = oneSided;
     lambda_ = 1 - w_;
 
-    nonOrthogonal_ = returnReduce(largestAngle, maxOp<scalar>()) > 1e-10;
+    skewed_ = returnReduce(largestSkewness, maxOp<scalar>()) > 1e-10;
+    nonOrthogonal_ =
+        skewed_ || returnReduce(largestAngle, maxOp<scalar>()) > 1e-10;
+
+    adjoint_ = returnReduce(largestSkewness, maxOp<scalar>()) > sqr(0.1);
+
+    if (skewed_)
+    {
+        setExactness();
+    }
 }
 
 
-void Foam::cosseratSystem::setReconstruction()
+void Foam::cosseratSystem::setExactness()
 {
-    for (scalarField* T : {&T00_, &T01_, &T11_})
+    const label i0 = frame_.i0(), i1 = frame_.i1();
+
+    // The sums of calcGradient() for the coordinates themselves
+    for (scalarField* X : {&X00_, &X01_, &X10_, &X11_})
     {
-        T->setSize(nCells_);
-        *T = 0;
+        X->setSize(nCells_);
+        *X = 0;
     }
 
-    auto add = [&](const label celli, const label f)
+    auto add = [&](const label celli, const scalar S, const label f, const vector& d)
     {
-        T00_[celli] += S_[f]*n0_[f]*n0_[f];
-        T01_[celli] += S_[f]*n0_[f]*n1_[f];
-        T11_[celli] += S_[f]*n1_[f]*n1_[f];
+        const scalar s0 = S*n0_[f], s1 = S*n1_[f];
+        X00_[celli] += s0*d[i0];
+        X01_[celli] += s0*d[i1];
+        X10_[celli] += s1*d[i0];
+        X11_[celli] += s1*d[i1];
     };
 
     for (const labelPair& range : twoSided_)
     {
         for (label f = range.first(); f < range.second(); ++f)
         {
-            add(own_[f], f);
+            const vector d(frame_.inSpace(m0_[f], m1_[f])/dc_[f]);
+            add(own_[f], S_[f], f, (1 - w_[f])*d);
             if (nei_[f] < nCells_)
             {
-                add(nei_[f], f);
+                add(nei_[f], -S_[f], f, -w_[f]*d);
+            }
+        }
+    }
+    for (const label f : oneSided_)
+    {
+        add(own_[f], S_[f], f, frame_.inSpace(m0_[f], m1_[f])/dc_[f]);
+    }
+
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        const scalar a = X00_[celli], b = X01_[celli];
+        const scalar c = X10_[celli], d = X11_[celli];
+        const scalar det = (a*d - b*c)/V_[celli];
+        X00_[celli] = d/det;
+        X01_[celli] = -b/det;
+        X10_[celli] = -c/det;
+        X11_[celli] = a/det;
+    }
+}
+
+
+void Foam::cosseratSystem::setReconstruction()
+{
+    for (scalarField* T : {&T00_, &T01_, &T10_, &T11_})
+    {
+        T->setSize(nCells_);
+        *T = 0;
+    }
+
+    auto add = [&](const label celli, const label f, const scalar share)
+    {
+        const scalar s = share*S_[f]/dc_[f];
+        T00_[celli] += s*n0_[f]*m0_[f];
+        T01_[celli] += s*n0_[f]*m1_[f];
+        T10_[celli] += s*n1_[f]*m0_[f];
+        T11_[celli] += s*n1_[f]*m1_[f];
+    };
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            add(own_[f], f, 1 - w_[f]);
+            if (nei_[f] < nCells_)
+            {
+                add(nei_[f], f, w_[f]);
             }
         }
     }
@@ -158,28 +239,31 @@ void Foam::cosseratSystem::setReconstruction()
     {
         if (boundary_.pressureFixed(f - nInternal_))
         {
-            add(own_[f], f);
+            add(own_[f], f, 1);
         }
     }
 
     // Inverse, or the pseudo-inverse for a cell with a single face that counts
     for (label celli = 0; celli < nCells_; ++celli)
     {
-        const scalar a = T00_[celli], b = T01_[celli], c = T11_[celli];
-        const scalar trace = a + c;
-        const scalar det = a*c - b*b;
+        const scalar a = T00_[celli], b = T01_[celli];
+        const scalar c = T10_[celli], d = T11_[celli];
+        const scalar norm = a*a + b*b + c*c + d*d;
+        const scalar det = a*d - b*c;
 
-        if (det > 1e-6*sqr(trace))
+        if (mag(det) > 1e-6*norm)
         {
-            T00_[celli] = c/det;
+            T00_[celli] = d/det;
             T01_[celli] = -b/det;
+            T10_[celli] = -c/det;
             T11_[celli] = a/det;
         }
-        else if (trace > 0)
+        else if (norm > 0)
         {
-            T00_[celli] = a/sqr(trace);
-            T01_[celli] = b/sqr(trace);
-            T11_[celli] = c/sqr(trace);
+            T00_[celli] = a/norm;
+            T01_[celli] = c/norm;
+            T10_[celli] = b/norm;
+            T11_[celli] = d/norm;
         }
     }
 }
@@ -353,13 +437,13 @@ void Foam::cosseratSystem::setLoad()
                 const label P = own_[f], N = nei_[f];
                 const scalar wP = w_[f], wN = 1 - wP;
                 gravity_[f] +=
-                    n0_[f]*(wP*b0[P] + wN*b0[N])
-                  + n1_[f]*(wP*b1[P] + wN*b1[N]);
+                    m0_[f]*(wP*b0[P] + wN*b0[N])
+                  + m1_[f]*(wP*b1[P] + wN*b1[N]);
             }
         }
         for (const label f : oneSided_)
         {
-            gravity_[f] += n0_[f]*b0[own_[f]] + n1_[f]*b1[own_[f]];
+            gravity_[f] += m0_[f]*b0[own_[f]] + m1_[f]*b1[own_[f]];
         }
     }
 
@@ -429,8 +513,8 @@ void Foam::cosseratSystem::setGravity()
     {
         const label P = own_[f], N = nei_[f];
         gravity_[f] =
-            w_[f]*rhoExt[P]*(gCyclic[i0]*n0_[f] + gCyclic[i1]*n1_[f])
-          + (1 - w_[f])*rhoExt[N]*(gCyclic[i0]*n0_[f] + gCyclic[i1]*n1_[f])
+            (w_[f]*rhoExt[P] + (1 - w_[f])*rhoExt[N])
+           *(gCyclic[i0]*m0_[f] + gCyclic[i1]*m1_[f])
           - (gRest & Cf)*dc_[f]*(rhoExt[N] - rhoExt[P]);
     };
 
@@ -470,6 +554,8 @@ Foam::cosseratSystem::cosseratSystem
     cosserat_(materials.cosserat()),
     compressible_(materials.compressible()),
     nonOrthogonal_(false),
+    skewed_(false),
+    adjoint_(false),
     nCells_(mesh.nCells()),
     nInternal_(mesh.nInternalFaces()),
     nFaces_(nInternal_ + halo.size() - nCells_),
@@ -488,6 +574,15 @@ Foam::cosseratSystem::cosseratSystem
     {
         field->setSize(halo_.size());
         *field = 0;
+    }
+
+    if (cosserat_ && nonOrthogonal_)
+    {
+        for (scalarField* field : {&g0_, &g1_})
+        {
+            field->setSize(halo_.size());
+            *field = 0;
+        }
     }
 
     for (scalarField* field : {&ff_, &phi_, &rAUf_})

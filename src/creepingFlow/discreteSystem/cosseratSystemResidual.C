@@ -135,13 +135,70 @@ void Foam::cosseratSystem::calcGradient() const
         addToGradient(own_[f], S_[f]*n0_[f], S_[f]*n1_[f], u0_[b], u1_[b]);
     }
 
-    for (scalarField* G : {&G00_, &G01_, &G10_, &G11_})
+    normaliseGradient(G00_, G10_);
+    normaliseGradient(G01_, G11_);
+}
+
+
+void Foam::cosseratSystem::normaliseGradient
+(
+    scalarField& G0,
+    scalarField& G1
+) const
+{
+    if (!skewed_)
     {
         for (label celli = 0; celli < nCells_; ++celli)
         {
-            (*G)[celli] /= V_[celli];
+            G0[celli] /= V_[celli];
+            G1[celli] /= V_[celli];
+        }
+        return;
+    }
+
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        const scalar a = G0[celli]/V_[celli], b = G1[celli]/V_[celli];
+        G0[celli] = X00_[celli]*a + X01_[celli]*b;
+        G1[celli] = X10_[celli]*a + X11_[celli]*b;
+    }
+}
+
+
+void Foam::cosseratSystem::calcRotationGradient() const
+{
+    g0_ = 0;
+    g1_ = 0;
+
+    auto add = [&](const label celli, const scalar S, const label f, const scalar v)
+    {
+        // Differences, so that the faces left out do not matter
+        g0_[celli] += S*n0_[f]*(v - omega_[celli]);
+        g1_[celli] += S*n1_[f]*(v - omega_[celli]);
+    };
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            // No couple passes where M is zero on one side, nor has omega a
+            // meaning there
+            if (Km_[f] > 0)
+            {
+                const label P = own_[f], N = nei_[f];
+                const scalar v = w_[f]*omega_[P] + (1 - w_[f])*omega_[N];
+                add(P, S_[f], f, v);
+                add(N, -S_[f], f, v);
+            }
         }
     }
+    for (const label f : oneSided_)
+    {
+        add(own_[f], S_[f], f, omega_[nei_[f]]);
+    }
+
+    normaliseGradient(g0_, g1_);
+    halo_.swap("v", {&g0_, &g1_});
 }
 
 
@@ -162,6 +219,10 @@ void Foam::cosseratSystem::correctWalls() const
             if (!boundary_.rotationFixed(i))
             {
                 change = -0.5*curvature;
+                if (nonOrthogonal_)
+                {
+                    change -= d*(k0_[f]*g0_[P] + k1_[f]*g1_[P]);
+                }
                 omega_[b] += change;
             }
             if (boundary_.velocity(i) == flowBoundary::TRACTION)
@@ -271,25 +332,6 @@ void Foam::cosseratSystem::calcForce(const bool driven) const
     }
 
     reconstruct();
-
-    if (nonOrthogonal_)
-    {
-        // Correct the face values with the cell values that they gave
-        halo_.swap("v", {&f0_, &f1_});
-
-        for (const labelPair& range : twoSided_)
-        {
-            for (label f = range.first(); f < range.second(); ++f)
-            {
-                const label P = own_[f], N = nei_[f];
-                const scalar wP = w_[f], wN = 1 - wP;
-                ff_[f] +=
-                    k0_[f]*(wP*f0_[P] + wN*f0_[N])
-                  + k1_[f]*(wP*f1_[P] + wN*f1_[N]);
-            }
-        }
-        reconstruct();
-    }
 }
 
 
@@ -303,17 +345,18 @@ void Foam::cosseratSystem::reconstruct() const
         for (label f = range.first(); f < range.second(); ++f)
         {
             const label P = own_[f], N = nei_[f];
-            const scalar s = S_[f]*ff_[f];
-            f0_[P] += s*n0_[f];
-            f1_[P] += s*n1_[f];
-            f0_[N] += s*n0_[f];
-            f1_[N] += s*n1_[f];
+            const scalar s = S_[f]*ff_[f]/dc_[f];
+            const scalar sP = s*(1 - w_[f]), sN = s*w_[f];
+            f0_[P] += sP*n0_[f];
+            f1_[P] += sP*n1_[f];
+            f0_[N] += sN*n0_[f];
+            f1_[N] += sN*n1_[f];
         }
     }
 
     for (const label f : oneSided_)
     {
-        const scalar s = S_[f]*ff_[f];
+        const scalar s = S_[f]*ff_[f]/dc_[f];
         f0_[own_[f]] += s*n0_[f];
         f1_[own_[f]] += s*n1_[f];
     }
@@ -322,7 +365,7 @@ void Foam::cosseratSystem::reconstruct() const
     {
         const scalar s0 = f0_[celli], s1 = f1_[celli];
         f0_[celli] = T00_[celli]*s0 + T01_[celli]*s1;
-        f1_[celli] = T01_[celli]*s0 + T11_[celli]*s1;
+        f1_[celli] = T10_[celli]*s0 + T11_[celli]*s1;
     }
 
     if (anyJump_)
@@ -351,6 +394,91 @@ void Foam::cosseratSystem::weightForce() const
 }
 
 
+void Foam::cosseratSystem::addAdjointForce(scalarField& r) const
+{
+    const label n = nCells_;
+
+    // Work of the pressure differences on the part of the fluxes that the
+    // skewness gives, by the gradients in cells
+    scalarField B00(halo_.size(), Zero), B01(B00), B10(B00), B11(B00);
+
+    auto add = [&](const label celli, const label f, const scalar work)
+    {
+        const scalar b0 = work*s0_[f], b1 = work*s1_[f];
+        B00[celli] += b0*n0_[f];
+        B01[celli] += b0*n1_[f];
+        B10[celli] += b1*n0_[f];
+        B11[celli] += b1*n1_[f];
+    };
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const scalar work = S_[f]*ff_[f]/dc_[f];
+            add(own_[f], f, w_[f]*work);
+            add(nei_[f], f, (1 - w_[f])*work);
+        }
+    }
+    for (label celli = 0; celli < n; ++celli)
+    {
+        const scalar a = B00[celli]/V_[celli], b = B01[celli]/V_[celli];
+        const scalar c = B10[celli]/V_[celli], d = B11[celli]/V_[celli];
+        B00[celli] = X00_[celli]*a + X10_[celli]*c;
+        B01[celli] = X00_[celli]*b + X10_[celli]*d;
+        B10[celli] = X01_[celli]*a + X11_[celli]*c;
+        B11[celli] = X01_[celli]*b + X11_[celli]*d;
+    }
+    halo_.swap("t", {&B00, &B01, &B10, &B11});
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const label P = own_[f], N = nei_[f];
+            const scalar n0 = n0_[f], n1 = n1_[f];
+            const scalar wP = w_[f], wN = 1 - wP;
+            const scalar vP = wStiff_[f], vN = 1 - vP;
+            const scalar work = S_[f]*ff_[f]/dc_[f];
+            const scalar b0 = S_[f]*
+                (n0*(B00[P] - B00[N]) + n1*(B10[P] - B10[N]));
+            const scalar b1 = S_[f]*
+                (n0*(B01[P] - B01[N]) + n1*(B11[P] - B11[N]));
+
+            r[P] += vP*work*n0 + wP*b0;
+            r[n + P] += vP*work*n1 + wP*b1;
+            if (N < n)
+            {
+                r[N] += vN*work*n0 + wN*b0;
+                r[n + N] += vN*work*n1 + wN*b1;
+            }
+        }
+    }
+    for (const label f : oneSided_)
+    {
+        const scalar F = S_[f]*ff_[f]/dc_[f];
+        r[own_[f]] += F*n0_[f];
+        r[n + own_[f]] += F*n1_[f];
+    }
+}
+
+
+void Foam::cosseratSystem::addForce(scalarField& r) const
+{
+    if (adjoint_)
+    {
+        addAdjointForce(r);
+        return;
+    }
+
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        r[celli] += V_[celli]*f0_[celli];
+        r[nCells_ + celli] += V_[celli]*f1_[celli];
+    }
+}
+
+
 void Foam::cosseratSystem::viscousForce
 (
     const label f,
@@ -375,6 +503,11 @@ void Foam::cosseratSystem::viscousForce
     {
         Ft += KwP_[f]*omega_[P] + KwN_[f]*omega_[N]
            + KsP_[f]*relativeRotation(P) + KsN_[f]*relativeRotation(N);
+        if (skewed_)
+        {
+            Ft += s0_[f]*(KwP_[f]*g0_[P] + KwN_[f]*g0_[N])
+                + s1_[f]*(KwP_[f]*g1_[P] + KwN_[f]*g1_[N]);
+        }
     }
     if (compressible_)
     {
@@ -475,8 +608,14 @@ Foam::scalar Foam::cosseratSystem::wallCouple
 
     // The difference is the gradient halfway to the wall; the moment balance
     // M omega,nn = 4 etaC s takes it to the wall
+    scalar d = omega_[nei_[f]] - omega_[P];
+    if (nonOrthogonal_)
+    {
+        d += (k0_[f]*g0_[P] + k1_[f]*g1_[P])/dc_[f];
+    }
+
     return
-        Km_[f]*(omega_[nei_[f]] - omega_[P])
+        Km_[f]*d
       + 2*etaC*relativeRotation(P)*S_[f]/dc_[f];
 }
 
@@ -498,15 +637,24 @@ void Foam::cosseratSystem::addTwoSided(scalarField& r) const
             difference(f, d0, d1);
             viscousForce(f, d0, d1, F0, F1);
 
+            scalar u0 = wP*u0_[P] + wN*u0_[N] + (wP - wStiff_[f])*d0;
+            scalar u1 = wP*u1_[P] + wN*u1_[N] + (wP - wStiff_[f])*d1;
+            if (skewed_)
+            {
+                u0 += s0_[f]*(wP*G00_[P] + wN*G00_[N])
+                    + s1_[f]*(wP*G10_[P] + wN*G10_[N]);
+                u1 += s0_[f]*(wP*G01_[P] + wN*G01_[N])
+                    + s1_[f]*(wP*G11_[P] + wN*G11_[N]);
+            }
+
             phi_[f] = S_[f]*
             (
-                (wP*u0_[P] + wN*u0_[N])*n0 + (wP*u1_[P] + wN*u1_[N])*n1
-              + (wP - wStiff_[f])*(d0*n0 + d1*n1)
+                u0*n0 + u1*n1
               + rAUf_[f]*
                 (
                     ff_[f]
-                  - (sP*f0_[P] + sN*f0_[N])*n0
-                  - (sP*f1_[P] + sN*f1_[N])*n1
+                  - (sP*f0_[P] + sN*f0_[N])*m0_[f]
+                  - (sP*f1_[P] + sN*f1_[N])*m1_[f]
                 )
             );
 
@@ -514,7 +662,7 @@ void Foam::cosseratSystem::addTwoSided(scalarField& r) const
             r[n + P] += F1;
             r[2*n + P] -= phi_[f];
 
-            const scalar couple = cosserat_ ? Km_[f]*(omega_[N] - omega_[P]) : 0;
+            const scalar couple = cosserat_ ? faceCouple(f) : 0;
             if (cosserat_)
             {
                 r[3*n + P] += couple;
@@ -558,7 +706,7 @@ void Foam::cosseratSystem::addOneSided
         )
         {
             phi_[f] += S_[f]*rAUf_[f]*
-                (ff_[f] - f0_[P]*n0_[f] - f1_[P]*n1_[f]);
+                (ff_[f] - f0_[P]*m0_[f] - f1_[P]*m1_[f]);
         }
 
         r[P] += F0;
@@ -580,11 +728,7 @@ void Foam::cosseratSystem::addCells
 {
     const label n = nCells_;
 
-    for (label celli = 0; celli < n; ++celli)
-    {
-        r[celli] += V_[celli]*f0_[celli];
-        r[n + celli] += V_[celli]*f1_[celli];
-    }
+    addForce(r);
 
     if (cosserat_)
     {
@@ -635,6 +779,10 @@ void Foam::cosseratSystem::residual
 {
     unpack(x, driven);
     calcGradient();
+    if (cosserat_ && nonOrthogonal_)
+    {
+        calcRotationGradient();
+    }
     correctWalls();
     if (anyJump_)
     {
@@ -660,12 +808,7 @@ void Foam::cosseratSystem::addPressureForce
     SubList<scalar>(p_, nCells_) = p;
     halo_.swap("s", {&p_});
     calcForce(false);
-
-    for (label celli = 0; celli < nCells_; ++celli)
-    {
-        r[celli] += V_[celli]*f0_[celli];
-        r[nCells_ + celli] += V_[celli]*f1_[celli];
-    }
+    addForce(r);
 }
 
 

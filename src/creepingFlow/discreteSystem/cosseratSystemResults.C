@@ -85,7 +85,7 @@ Foam::scalar Foam::cosseratSystem::boundaryPressure(const label slot) const
     return
         boundary_.pressureFixed(slot - nCells_)
       ? boundary_.pressure(slot - nCells_)
-      : p_[P] - (f0_[P]*n0_[f] + f1_[P]*n1_[f])/dc_[f];
+      : p_[P] - (f0_[P]*m0_[f] + f1_[P]*m1_[f])/dc_[f];
 }
 
 
@@ -115,7 +115,7 @@ Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
                 (F0*(u0_[N] - u0_[P]) + F1*(u1_[N] - u1_[P]));
             if (cosserat_)
             {
-                sum.bending += share*Km_[f]*sqr(omega_[N] - omega_[P]);
+                sum.bending += share*faceCouple(f)*(omega_[N] - omega_[P]);
             }
         }
     }

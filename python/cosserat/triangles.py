@@ -1,0 +1,104 @@
+"""A mesh of triangular prisms on the unit square [-1/2, 1/2]^2, by Delaunay's
+triangulation of shaken points; written as constant/polyMesh of a case."""
+
+import numpy as np
+from scipy.spatial import Delaunay
+
+HEADER = """FoamFile
+{{ version 2.0; format ascii; class {cls}; {note}location "constant/polyMesh";
+object {name}; }}
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+"""
+
+
+def shaken_points(n, shake=0.2, seed=1):
+    """Rows of points about 1/n apart, those inside shaken."""
+    points = []
+    random = np.random.default_rng(seed)
+    for j in range(n + 1):
+        shift = 0.5 if j % 2 else 0.0
+        x = (np.arange(n + 1) + shift)/n - 0.5
+        if shift:
+            x = np.concatenate([[-0.5], x[:-1], [0.5]])
+        for xi in x:
+            point = np.array([xi, j/n - 0.5])
+            if abs(abs(point) - 0.5).min() > 1e-9:
+                point += shake/n*random.uniform(-0.5, 0.5, 2)
+            points.append(point)
+    return np.array(points)
+
+
+def write_prisms(case, n, depth=0.1):
+    """Write the mesh with patches left, right, bottom, top, frontAndBack."""
+    flat = shaken_points(n)
+    triangles = Delaunay(flat).simplices
+    a, b, c = (flat[triangles[:, i]] for i in range(3))
+    area = ((b - a)[:, 0]*(c - a)[:, 1] - (b - a)[:, 1]*(c - a)[:, 0])/2
+    triangles = triangles[np.abs(area) > 1e-9]
+    area = area[np.abs(area) > 1e-9]
+    triangles[area < 0] = triangles[area < 0][:, ::-1]
+    # Neighbouring cells get neighbouring numbers
+    triangles = triangles[np.lexsort(flat[triangles].mean(axis=1).T)]
+
+    edges = {}
+    for cell, corners in enumerate(triangles):
+        for i in range(3):
+            p, q = corners[i], corners[(i + 1) % 3]
+            edges.setdefault(frozenset((p, q)), []).append((cell, p, q))
+
+    n_flat = len(flat)
+
+    def quad(p, q):
+        """Face between two points, its normal out of a cell to their left."""
+        return (p, q, q + n_flat, p + n_flat)
+
+    inner, outer = [], {"left": [], "right": [], "bottom": [], "top": []}
+    for uses in edges.values():
+        (cell, p, q), *other = uses
+        if other:
+            inner.append((cell, other[0][0], quad(p, q)))
+            continue
+        x, y = (flat[p] + flat[q])/2
+        distance = {"left": x + 0.5, "right": 0.5 - x, "bottom": y + 0.5,
+                    "top": 0.5 - y}
+        outer[min(distance, key=distance.get)].append((cell, quad(p, q)))
+
+    def ordered(cell, neighbour, face):
+        return ((cell, neighbour, face) if cell < neighbour
+                else (neighbour, cell, face[::-1]))
+
+    inner = sorted(ordered(*row) for row in inner)
+    caps = ([(i, tuple(t[::-1])) for i, t in enumerate(triangles)]
+            + [(i, tuple(t + n_flat)) for i, t in enumerate(triangles)])
+
+    faces = [face for _, _, face in inner]
+    owner = [cell for cell, _, _ in inner]
+    boundary, start = [], len(faces)
+    for name, rows in [*outer.items(), ("frontAndBack", caps)]:
+        kind = "empty" if name == "frontAndBack" else "wall"
+        boundary.append(f"{name} {{ type {kind}; nFaces {len(rows)}; "
+                        f"startFace {start}; }}")
+        start += len(rows)
+        owner += [cell for cell, _ in rows]
+        faces += [face for _, face in rows]
+
+    points = np.vstack([np.c_[flat, np.zeros(n_flat)],
+                        np.c_[flat, np.full(n_flat, depth)]])
+    note = (f'note "nPoints:{len(points)}  nCells:{len(triangles)}  '
+            f'nFaces:{len(faces)}  nInternalFaces:{len(inner)}"; ')
+
+    def file(name, cls, rows):
+        path = case.path/"constant/polyMesh"/name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(HEADER.format(cls=cls, name=name, note=note)
+                        + f"{len(rows)}\n(\n" + "\n".join(rows) + "\n)\n")
+
+    def text(values):
+        return "(" + " ".join(map(str, values)) + ")"
+
+    file("points", "vectorField", [text(map(repr, map(float, p)))
+                                   for p in points])
+    file("faces", "faceList", [f"{len(f)}{text(f)}" for f in faces])
+    file("owner", "labelList", list(map(str, owner)))
+    file("neighbour", "labelList", [str(row[1]) for row in inner])
+    file("boundary", "polyBoundaryMesh", boundary)
