@@ -55,6 +55,7 @@ namespace Foam
 Foam::dictionary Foam::creepingFlow::preconditionerControls() const
 {
     dictionary controls;
+    controls.add("block", word("automatic"));
     controls.add("preconditioner", word("GAMG"));
     controls.add("nVcycles", 3);
     controls.add("nPostSweeps", 1);
@@ -274,8 +275,11 @@ void Foam::creepingFlow::report()
             << "Flow not converged at time " << mesh_.time().timeName()
             << " after " << performance_.iterations << " iterations:"
             << " residuals of U, p_rgh, omega " << performance_.final << nl
+            << "    Largest etaC/eta " << system_.largestCoupling()
+            << ", largest jump of eta between cells "
+            << system_.largestJump() << nl
             << "    Cures, in system/fvSolution, creepingFlow: a larger"
-            << " maxIter or nDirections, nVcycles 5 in preconditioner, a"
+            << " maxIter or nDirections, block direct in preconditioner, a"
             << " larger tolerance; or notConverged warn, to go on all the same"
             << exit(FatalError);
     }

@@ -142,6 +142,11 @@ void Foam::cosseratSystem::setGeometry()
 
     twoSided_ = ranges;
     oneSided_ = oneSided;
+    oneSidedFace_.setSize(nFaces_ - nInternal_, false);
+    for (const label f : oneSided_)
+    {
+        oneSidedFace_[f - nInternal_] = true;
+    }
     lambda_ = 1 - w_;
 
     skewed_ = returnReduce(largestSkewness, maxOp<scalar>()) > 1e-10;
@@ -750,6 +755,29 @@ void Foam::cosseratSystem::setRAU(const scalarField& rAU)
     {
         rAUf_[f] = extended[own_[f]];
     }
+}
+
+
+Foam::scalar Foam::cosseratSystem::largestCoupling() const
+{
+    scalar largest = 0;
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        largest = max(largest, etaC_[celli]/eta_[celli]);
+    }
+    return returnReduce(largest, maxOp<scalar>());
+}
+
+
+Foam::scalar Foam::cosseratSystem::largestJump() const
+{
+    scalar largest = 1;
+    for (const label f : jump_)
+    {
+        const scalar ratio = eta_[own_[f]]/eta_[nei_[f]];
+        largest = max(largest, max(ratio, 1/ratio));
+    }
+    return returnReduce(largest, maxOp<scalar>());
 }
 
 

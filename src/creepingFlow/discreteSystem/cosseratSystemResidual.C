@@ -269,11 +269,9 @@ void Foam::cosseratSystem::weightGradient() const
         scalar c = (b_[N] - b_[P])*q;
         if (cosserat_)
         {
-            const scalar sP = feedbackShare(P), sN = feedbackShare(N);
+            const scalar sP = rotationShare(P, f), sN = rotationShare(N, f);
             c += 2*es_[N]*(sN*omega_[N] + (1 - sN)*q)
-               - 2*es_[P]*(sP*omega_[P] + (1 - sP)*q)
-               + 2*(etaC_[N] - es_[N])*relativeRotation(N)
-               - 2*(etaC_[P] - es_[P])*relativeRotation(P);
+               - 2*es_[P]*(sP*omega_[P] + (1 - sP)*q);
         }
 
         scalar d0, d1;

@@ -102,8 +102,17 @@ void Foam::rigidMotions::find(const scalarField& weights)
         system_.residual(x[i], Ax[i], false);
         Ax[i] *= weights;
 
-        // A motion of each component for itself would give this norm
-        const scalar norm = Foam::sqrt(gSumSqr(x[i]/weights));
+        // A motion of each component of U for itself would give this norm.
+        // Not of omega: at large M it would hide what holds a rotation
+        const label n = 2*system_.nCells();
+        const scalar norm = Foam::sqrt
+        (
+            gSumSqr
+            (
+                scalarField(SubList<scalar>(x[i], n))
+               /scalarField(SubList<scalar>(weights, n))
+            )
+        );
         x[i] /= norm;
         Ax[i] /= norm;
     }

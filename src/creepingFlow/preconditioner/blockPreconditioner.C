@@ -23,7 +23,70 @@ License
 
 #include "blockPreconditioner.H"
 
+// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
+
+//- Largest etaC/eta, and jump of eta from cell to cell with and without a
+//- microrotation, that multigrid is chosen for
+static const Foam::scalar couplingLimit = 3, jumpLimits[] = {1e5, 1e7};
+
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::blockPreconditioner::choice>
+Foam::blockPreconditioner::choiceNames
+({
+    { choice::AUTOMATIC, "automatic" },
+    { choice::MULTIGRID, "multigrid" },
+    { choice::DIRECT, "direct" }
+});
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::blockPreconditioner::needsFactorisation() const
+{
+    if (choice_ != AUTOMATIC)
+    {
+        return choice_ == DIRECT;
+    }
+
+    return
+        system_.largestCoupling() > couplingLimit
+     || system_.largestJump() > jumpLimits[system_.cosserat() ? 0 : 1];
+}
+
+
+void Foam::blockPreconditioner::solveDirectly
+(
+    const scalarField& r,
+    scalarField& z
+) const
+{
+    const label n = system_.nCells();
+    const label nb = system_.nBlocks() - 1;
+    const label start[] = {0, n, 3*n};
+    scalarField b(nb*n);
+
+    for (label k = 0; k < nb; ++k)
+    {
+        for (label celli = 0; celli < n; ++celli)
+        {
+            b[nb*celli + k] = r[start[k] + celli];
+        }
+    }
+
+    factorisation_->solve(b);
+
+    for (label k = 0; k < nb; ++k)
+    {
+        for (label celli = 0; celli < n; ++celli)
+        {
+            z[start[k] + celli] = b[nb*celli + k];
+        }
+    }
+}
+
+
 
 void Foam::blockPreconditioner::cycle
 (
@@ -51,6 +114,11 @@ Foam::blockPreconditioner::blockPreconditioner
 :
     system_(system),
     blocks_(system.cosserat() ? 3 : 2),
+    choice_
+    (
+        choiceNames.getOrDefault("block", controls, choice::AUTOMATIC)
+    ),
+    direct_(false),
     ri_(system.nCells()),
     zi_(system.nCells())
 {
@@ -86,6 +154,31 @@ void Foam::blockPreconditioner::update()
     }
     system_.setRAU(V/rAU);
 
+    const bool direct = needsFactorisation();
+    if (direct != direct_)
+    {
+        Info<< "Velocity and microrotation: "
+            << (direct ? "sparse factorisation" : "multigrid")
+            << " (largest etaC/eta " << system_.largestCoupling()
+            << ", largest jump of eta " << system_.largestJump() << ')'
+            << endl;
+        direct_ = direct;
+    }
+    if (direct_)
+    {
+        if (factorisation_.empty())
+        {
+            factorisation_ = sparseFactorisation::New
+            (
+                "mumps",
+                system_.mesh().time(),
+                (system_.nBlocks() - 1)*n
+            );
+        }
+        system_.viscousEntries(entries_);
+        factorisation_->factorise(entries_);
+    }
+
     muByV_ = system_.pressureViscosity()/V;
     SubList<scalar>(weights_, n, 2*n) = sqrt(muByV_);
 
@@ -115,24 +208,31 @@ void Foam::blockPreconditioner::apply
         p -= gSum(V*p)/gSum(V);
     }
 
-    if (system_.cosserat())
+    if (direct_)
     {
-        cycle(2, 3, work_, z);
-        system_.addRotationForce
-        (
-            scalarField(SubList<scalar>(z, n, 3*n)), work_
-        );
+        system_.addPressureForce(p, work_);
+        solveDirectly(work_, z);
     }
-
-    system_.addPressureForce(p, work_);
-    cycle(0, 0, work_, z);
-    cycle(1, 1, work_, z);
+    else
+    {
+        if (system_.cosserat())
+        {
+            cycle(2, 3, work_, z);
+            system_.addRotationForce
+            (
+                scalarField(SubList<scalar>(z, n, 3*n)), work_
+            );
+        }
+        system_.addPressureForce(p, work_);
+        cycle(0, 0, work_, z);
+        cycle(1, 1, work_, z);
+    }
 
     system_.addDivergence(z, work_);
     SubList<scalar>(z, n, 2*n) =
         scalarField(p + 2*muByV_*SubList<scalar>(work_, n, 2*n));
 
-    if (system_.cosserat())
+    if (system_.cosserat() && !direct_)
     {
         system_.addCurl(z, work_);
         cycle(2, 3, work_, z);

@@ -1,0 +1,464 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cosseratSystem.H"
+#include "sparseFactorisation.H"
+#include "globalIndex.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- Linear function of the velocities of a cell (first) and of the cells
+    //- around, two coefficients each, and last of the microrotation of the cell
+    typedef DynamicList<scalar> velocityForm;
+
+    static inline void addTo
+    (
+        velocityForm& sum,
+        const scalar factor,
+        const velocityForm& form
+    )
+    {
+        forAll(sum, i)
+        {
+            sum[i] += factor*form[i];
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::cosseratSystem::addFaceEntries
+(
+    const labelList& ids,
+    sparseEntries& e
+) const
+{
+    const label nb = cosserat_ ? 3 : 2;
+
+    auto add = [&]
+    (
+        const label row, const label i, const label col, const label j,
+        const scalar value
+    )
+    {
+        e.add(nb*ids[row] + i, nb*ids[col] + j, value);
+    };
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const label cells[] = {own_[f], nei_[f]};
+            const scalar n[] = {n0_[f], n1_[f]}, t[] = {n1_[f], -n0_[f]};
+            const scalar Kn = compressible_ ? 0.5*Kn_[f] : Kn_[f];
+
+            for (label side = 0; side < 2 && cells[side] < nCells_; ++side)
+            {
+                const label P = cells[side], N = cells[1 - side];
+                const scalar sign = side ? 1 : -1;
+
+                for (label i = 0; i < 2; ++i)
+                {
+                    for (label j = 0; j < 2; ++j)
+                    {
+                        const scalar K = Kn*n[i]*n[j] + Kt_[f]*t[i]*t[j];
+                        add(P, i, P, j, K);
+                        add(P, i, N, j, -K);
+                    }
+                    if (cosserat_)
+                    {
+                        add(P, i, cells[0], 2, sign*KwP_[f]*t[i]);
+                        add(P, i, cells[1], 2, sign*KwN_[f]*t[i]);
+                    }
+                }
+                if (cosserat_)
+                {
+                    add(P, 2, P, 2, Km_[f]);
+                    add(P, 2, N, 2, -Km_[f]);
+                }
+            }
+        }
+    }
+
+    for (const label f : oneSided_)
+    {
+        const label P = own_[f];
+        const scalar n[] = {n0_[f], n1_[f]}, t[] = {n1_[f], -n0_[f]};
+        const auto kind = boundary_.velocity(f - nInternal_);
+        const bool fixed = boundary_.rotationFixed(f - nInternal_);
+        const scalar Kn =
+            kind == flowBoundary::OPEN ? 0
+          : compressible_ ? 0.5*Kn_[f] : Kn_[f];
+        const scalar Kt = kind == flowBoundary::VELOCITY ? Kt_[f] : 0;
+
+        for (label i = 0; i < 2; ++i)
+        {
+            for (label j = 0; j < 2; ++j)
+            {
+                add(P, i, P, j, Kn*n[i]*n[j] + Kt*t[i]*t[j]);
+            }
+            if (cosserat_)
+            {
+                const scalar Kw =
+                    kind != flowBoundary::VELOCITY ? 0
+                  : fixed ? KwP_[f] : KwP_[f] + KwN_[f];
+                add(P, i, P, 2, -Kw*t[i]);
+            }
+        }
+        if (cosserat_)
+        {
+            add(P, 2, P, 2, fixed ? Km_[f] : 0);
+        }
+    }
+}
+
+
+void Foam::cosseratSystem::addCellEntries
+(
+    const label celli,
+    const labelUList& faces,
+    const scalarField& tangentialWeight,
+    const scalarField& compliance,
+    const labelList& ids,
+    sparseEntries& e
+) const
+{
+    const label nb = cosserat_ ? 3 : 2;
+    const label m = faces.size();
+    const label last = 2*(m + 1);
+    const velocityForm zero(last + 1, Zero);
+
+    // Gradient as calcGradient(), correctWalls() and weightGradient() make it
+    velocityForm G[2][2] = {{zero, zero}, {zero, zero}};
+    List<velocityForm> wall(2*m, zero);
+    labelList around(m + 1, celli);
+
+    for (label k = 0; k < m; ++k)
+    {
+        const label f = faces[k];
+        const bool owner = own_[f] == celli;
+        const bool twoSided = nei_[f] < nCells_ || isCoupled(f);
+        const scalar n[] = {n0_[f], n1_[f]}, t[] = {n1_[f], -n0_[f]};
+        const scalar S = (owner ? S_[f] : -S_[f])/V_[celli];
+
+        scalar wn = 0, wt = 0, vn = 0, vt = 0, slope = 0;
+        if (twoSided)
+        {
+            around[k + 1] = owner ? nei_[f] : own_[f];
+            wn = owner ? wStiff_[f] : 1 - wStiff_[f];
+            wt = owner ? tangentialWeight[f] : 1 - tangentialWeight[f];
+            vn = 1 - wn;
+            vt = 1 - wt;
+        }
+        else
+        {
+            const auto kind = boundary_.velocity(f - nInternal_);
+            wt = kind == flowBoundary::VELOCITY ? 0 : 1;
+            wn = kind == flowBoundary::OPEN ? 1 : 0;
+            if (cosserat_ && kind == flowBoundary::TRACTION)
+            {
+                const scalar share =
+                    boundary_.rotationFixed(f - nInternal_) ? wallShare(f) : 0;
+                slope = -2*etaC_[celli]*(1 - share)
+                   /(eta_[celli] + etaC_[celli]);
+            }
+        }
+
+        for (label j = 0; j < 2; ++j)
+        {
+            for (label a = 0; a < 2; ++a)
+            {
+                const scalar here = n[j]*n[a]*wn + t[j]*t[a]*wt;
+                const scalar there = n[j]*n[a]*vn + t[j]*t[a]*vt;
+                for (label i = 0; i < 2; ++i)
+                {
+                    G[i][j][a] += S*n[i]*here;
+                    G[i][j][2*(k + 1) + a] += S*n[i]*there;
+                }
+                if (!twoSided)
+                {
+                    wall[2*k + j][a] += dc_[f]*(here - (a == j));
+                }
+            }
+            if (!twoSided)
+            {
+                wall[2*k + j][last] += t[j]*slope;
+                G[0][j][last] += S*n[0]*t[j]*slope/dc_[f];
+                G[1][j][last] += S*n[1]*t[j]*slope/dc_[f];
+            }
+        }
+    }
+
+    auto rotation = [&]()
+    {
+        velocityForm s(zero);
+        s[last] = 1;
+        addTo(s, -0.5, G[0][1]);
+        addTo(s, 0.5, G[1][0]);
+        return s;
+    };
+
+    for (label k = 0; k < m; ++k)
+    {
+        const label f = faces[k];
+        if (nei_[f] < nCells_ || isCoupled(f))
+        {
+            continue;
+        }
+        const scalar n[] = {n0_[f], n1_[f]}, t[] = {n1_[f], -n0_[f]};
+
+        if
+        (
+            cosserat_ && !rotationUndetermined(celli)
+         && boundary_.velocity(f - nInternal_) == flowBoundary::TRACTION
+        )
+        {
+            const scalar factor =
+                (boundary_.rotationFixed(f - nInternal_) ? 2.0/3 : 8.0/3)
+               *resolution(celli, f)*etaC_[celli]/(eta_[celli] + etaC_[celli]);
+            const velocityForm s(rotation());
+            for (label j = 0; j < 2; ++j)
+            {
+                addTo(wall[2*k + j], factor*t[j], s);
+                for (label i = 0; i < 2; ++i)
+                {
+                    addTo
+                    (
+                        G[i][j],
+                        factor*S_[f]/V_[celli]*n[i]*t[j]/dc_[f],
+                        s
+                    );
+                }
+            }
+        }
+
+        for (label j = 0; j < 2; ++j)
+        {
+            velocityForm c(wall[2*k + j]);
+            addTo(c, -n[0], G[0][j]);
+            addTo(c, -n[1], G[1][j]);
+            addTo(G[0][j], n[0]/3, c);
+            addTo(G[1][j], n[1]/3, c);
+        }
+    }
+
+    // Compliance of jumps, as far as the cell itself makes it
+    List<velocityForm> slip(m);
+    for (label k = 0; k < m; ++k)
+    {
+        const label f = faces[k];
+        if (compliance[f] > 0)
+        {
+            const label P = own_[f], N = nei_[f];
+            const bool owner = P == celli;
+            const scalar n0 = n0_[f], n1 = n1_[f];
+
+            scalar cq = b_[N] - b_[P], comega = 0;
+            if (cosserat_)
+            {
+                const scalar sP = rotationShare(P, f);
+                const scalar sN = rotationShare(N, f);
+                cq += 2*es_[N]*(1 - sN) - 2*es_[P]*(1 - sP);
+                comega = owner ? -2*es_[P]*sP : 2*es_[N]*sN;
+            }
+            cq *= compliance[f]*(owner ? wStiff_[f] : 1 - wStiff_[f]);
+
+            slip[k] = zero;
+            addTo(slip[k], cq*n1*n0, G[0][0]);
+            addTo(slip[k], cq*n1*n1, G[0][1]);
+            addTo(slip[k], -cq*n0*n0, G[1][0]);
+            addTo(slip[k], -cq*n0*n1, G[1][1]);
+            slip[k][last] += compliance[f]*comega;
+        }
+    }
+    for (label k = 0; k < m; ++k)
+    {
+        if (slip[k].size())
+        {
+            const label f = faces[k];
+            const scalar S = (own_[f] == celli ? S_[f] : -S_[f])/V_[celli];
+            const scalar n[] = {n0_[f], n1_[f]}, t[] = {n1_[f], -n0_[f]};
+            for (label i = 0; i < 2; ++i)
+            {
+                for (label j = 0; j < 2; ++j)
+                {
+                    addTo(G[i][j], S*n[i]*t[j], slip[k]);
+                }
+            }
+        }
+    }
+
+    const velocityForm s(rotation());
+
+    auto addForm = [&]
+    (
+        const label row, const label i, const scalar factor,
+        const velocityForm& form
+    )
+    {
+        const label r = nb*ids[row] + i;
+        for (label k = 0; k < last; ++k)
+        {
+            e.add(r, nb*ids[around[k/2]] + k % 2, factor*form[k]);
+        }
+        if (cosserat_)
+        {
+            e.add(r, nb*ids[celli] + 2, factor*form[last]);
+        }
+    };
+
+    // Forces on either side of the faces by u_n,t and s of this cell
+    for (label k = 0; k < m; ++k)
+    {
+        const label f = faces[k];
+        const bool owner = own_[f] == celli;
+        const bool twoSided = around[k + 1] != celli;
+        const scalar n0 = n0_[f], n1 = n1_[f];
+        const scalar t[] = {n1, -n0};
+
+        const bool bears =
+            twoSided
+         || boundary_.velocity(f - nInternal_) == flowBoundary::VELOCITY;
+        const scalar Kq =
+            !bears ? 0 : !twoSided ? Kq_[f]
+          : Kq_[f]*(owner ? wStiff_[f] : 1 - wStiff_[f]);
+
+        velocityForm force(zero);
+        addTo(force, Kq*n1*n0, G[0][0]);
+        addTo(force, Kq*n1*n1, G[0][1]);
+        addTo(force, -Kq*n0*n0, G[1][0]);
+        addTo(force, -Kq*n0*n1, G[1][1]);
+
+        if (cosserat_ && bears)
+        {
+            addTo(force, owner ? KsP_[f] : KsN_[f], s);
+        }
+
+        for (label side = 0; side < (twoSided ? 2 : 1); ++side)
+        {
+            const label row = side ? nei_[f] : own_[f];
+            const scalar sign = side ? 1 : -1;
+            for (label i = 0; i < 2; ++i)
+            {
+                addForm(row, i, sign*t[i], force);
+            }
+        }
+    }
+
+    if (cosserat_)
+    {
+        scalar K = 4*V_[celli]*etaC_[celli];
+        for (const label f : faces)
+        {
+            if
+            (
+                nei_[f] >= nCells_ && !isCoupled(f)
+             && boundary_.rotationFixed(f - nInternal_)
+            )
+            {
+                K -= 2*etaC_[celli]*S_[f]/dc_[f];
+            }
+        }
+        addForm(celli, 2, K, s);
+        e.add
+        (
+            nb*ids[celli] + 2, nb*ids[celli] + 2,
+            rotationUndetermined(celli) ? V_[celli]*eta_[celli] : 0
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::cosseratSystem::viscousEntries(sparseEntries& e) const
+{
+    e.clear();
+
+    // Global numbers of cells and of those behind coupled faces
+    const globalIndex global(nCells_);
+    scalarField number(halo_.size(), Zero);
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        number[celli] = global.toGlobal(celli);
+    }
+    halo_.swap("s", {&number});
+    labelList ids(number.size());
+    forAll(ids, i)
+    {
+        ids[i] = label(number[i] + 0.5);
+    }
+
+    scalarField tangentialWeight(w_), compliance(nFaces_, Zero);
+    forAll(jump_, i)
+    {
+        tangentialWeight[jump_[i]] = jumpW_[i];
+        compliance[jump_[i]] = jumpC_[i];
+    }
+
+    List<DynamicList<label>> faces(nCells_);
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            faces[own_[f]].append(f);
+            if (nei_[f] < nCells_)
+            {
+                faces[nei_[f]].append(f);
+            }
+        }
+    }
+    for (const label f : oneSided_)
+    {
+        faces[own_[f]].append(f);
+    }
+
+    addFaceEntries(ids, e);
+
+    // Against rigid motions that no wall holds, which others remove
+    const label nb = cosserat_ ? 3 : 2;
+    scalarField diag, face;
+    for (label cmpt = 0; cmpt < 2; ++cmpt)
+    {
+        velocityBlock(cmpt, diag, face);
+        for (label celli = 0; celli < nCells_; ++celli)
+        {
+            const label i = nb*ids[celli] + cmpt;
+            e.add(i, i, 1e-10*diag[celli]);
+        }
+    }
+
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        addCellEntries
+        (
+            celli, faces[celli], tangentialWeight, compliance, ids, e
+        );
+    }
+}
+
+
+// ************************************************************************* //
