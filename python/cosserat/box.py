@@ -79,7 +79,11 @@ functions
         schemes = (ROOT/"tutorials/silo/system/fvSchemes").read_text()
         (self.case.path/"system/fvSchemes").write_text(schemes)
         self.file("system/fvSolution", f"""
-creepingFlow {{ tolerance {self.tolerance}; notConverged {self.notConverged}; }}
+creepingFlow
+{{
+    tolerance       {self.tolerance};
+    notConverged    {self.notConverged};
+}}
 """)
         self.file("constant/g", f"""
 dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});

@@ -14,7 +14,8 @@ from cosserat.analytic import GravityChannel, Material, ShearLayer, err
 from cosserat.case import TUTORIALS, Case, environment, residuals
 
 NAMES = ["convergence", "significance", "internalLength", "longShear",
-         "siloDischarge", "granularContact", "invariants", "manufactured"]
+         "siloDischarge", "granularContact", "invariants", "manufactured",
+         "extremes", "solveCost"]
 
 HERE = Path(__file__).resolve().parents[1]
 RESULTS = HERE/"results"

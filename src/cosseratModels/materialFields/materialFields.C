@@ -177,6 +177,24 @@ void Foam::materialFields::checkFractions() const
 }
 
 
+bool Foam::materialFields::fractionsMoved() const
+{
+    scalar largest = averaged_.empty() ? GREAT : 0;
+
+    forAll(averaged_, m)
+    {
+        const scalarField& alpha = alphas_[m].primitiveField();
+        const scalarField& before = averaged_[m];
+        forAll(alpha, celli)
+        {
+            largest = max(largest, mag(alpha[celli] - before[celli]));
+        }
+    }
+
+    return returnReduce(largest, maxOp<scalar>()) > 1e-12;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::materialFields::materialFields(const fvMesh& mesh)
@@ -202,7 +220,8 @@ Foam::materialFields::materialFields(const fvMesh& mesh)
     etaC_(newField("etaC", materials_[0].law().etaC())),
     M_(newField("M", materials_[0].law().M())),
     invB_(newField("invB", materials_[0].law().invB())),
-    fractionsRead_(true)
+    fractionsRead_(true),
+    nChanges_(1)
 {
     forAll(alphas_, m)
     {
@@ -261,12 +280,18 @@ Foam::wordList Foam::materialFields::names() const
 
 void Foam::materialFields::correct()
 {
-    if (alphas_.empty())
+    if (alphas_.empty() || !fractionsMoved())
     {
         return;
     }
 
     checkFractions();
+    ++nChanges_;
+    averaged_.setSize(alphas_.size());
+    forAll(alphas_, m)
+    {
+        averaged_.set(m, new scalarField(alphas_[m].primitiveField()));
+    }
 
     const label n = materials_.size();
     scalarList rho(n), eta(n), etaC(n), M(n), invB(n);

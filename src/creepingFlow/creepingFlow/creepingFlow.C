@@ -332,6 +332,7 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
         (Info<< "Creeping flow" << nl, system_), preconditioner_, motions_,
         controls_
     ),
+    nChanges_(0),
     nUnconverged_(0),
     nSolves_(0),
     nIterations_(0),
@@ -351,18 +352,27 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
 void Foam::creepingFlow::solve()
 {
     boundary_.update();
-    system_.update();
-    preconditioner_.update();
 
-    if (boundary_.maybeFloating())
+    // As long as no property changes the matrices are those of the last solve
+    if (nChanges_ != materials_.nChanges())
     {
-        motions_.find(preconditioner_.weights());
+        system_.update();
+        preconditioner_.update();
+
+        if (boundary_.maybeFloating())
+        {
+            motions_.find(preconditioner_.weights());
+        }
+        nChanges_ = materials_.nChanges();
     }
 
     checkLoads();
     pack();
     performance_ = solver_.solve(x_);
-    unpack();
+    if (performance_.iterations || nSolves_ == 0)
+    {
+        unpack();
+    }
     report();
 }
 

@@ -1,0 +1,68 @@
+"""Cost of a flow solve in Poisson solves of the same mesh: the sinking block
+of 'extremes' on four meshes."""
+
+import re
+import subprocess
+
+import matplotlib.pyplot as plt
+
+from studies.common import HERE, save
+from studies.extremes import DEFAULT, block
+
+CELLS = [64, 128, 256, 512]
+
+
+def run(n, contrast, model, repeat=3):
+    """One row: alternating flow and Poisson solves, the best of each."""
+    given = {**DEFAULT, "n": n, "contrast": contrast}
+    if model == "classical":
+        given.update(coupling=0.0, R=0.0)
+    case = block(HERE/"runs/solveCost/case", **given, tolerance=1e-6)
+    path = case.path/"system/fvSolution"
+    path.write_text(path.read_text().replace(
+        "notConverged", "preconditioner { block multigrid; } notConverged"))
+    done = subprocess.run(
+        ["/usr/bin/env", "bash", "-c",
+         f"Test-solveCost -repeat {repeat} & pid=$!; peak=0; "
+         "while read -r size < <(awk '/VmHWM/ {print $2}' /proc/$pid/status "
+         "2> /dev/null) && [ -n \"$size\" ]; do peak=$size; sleep 0.2; done; "
+         "wait $pid; echo peakMemory $peak"],
+        cwd=case.path, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        text=True, check=True).stdout
+    value = dict(re.findall(
+        r"(flowSeconds|iterations|poissonIterations|poissonUnits|peakMemory)"
+        r" (\S+)", done))
+    return {"n": n, "contrast": contrast, "model": model,
+            "iterations": int(value["iterations"]),
+            "poissonIterations": int(value["poissonIterations"]),
+            "poissonUnits": float(value["poissonUnits"]),
+            "cpu": float(value["flowSeconds"]),
+            "peakMemory": 1024*int(value["peakMemory"]),
+            "bytesPerCell": 1024*int(value["peakMemory"])/n**2}
+
+
+def study():
+    """Rows: n, contrast, model, iterations, poissonIterations, poissonUnits,
+    cpu [s] of one solve, peakMemory [bytes] of the process, bytesPerCell."""
+    rows = [run(n, contrast, model) for n in CELLS
+            for contrast in (1, 1e3, 1e6)
+            for model in ("classical", "cosserat")]
+
+    figure, axes = plt.subplots(figsize=(6, 4), dpi=130)
+    for model, style in (("classical", "--"), ("cosserat", "-")):
+        for i, contrast in enumerate((1, 1e3, 1e6)):
+            own = [row for row in rows if row["model"] == model
+                   and row["contrast"] == contrast]
+            axes.semilogx([row["n"] for row in own],
+                          [row["poissonUnits"] for row in own], style + "o",
+                          ms=4, color=f"C{i}", base=2,
+                          label=f"{model}, contrast {contrast:g}")
+    axes.set_xticks(CELLS, [f"{n}$^2$" for n in CELLS])
+    axes.set_xlabel("cells")
+    axes.set_ylabel("flow solve over Poisson solve")
+    axes.set_ylim(bottom=0)
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=8)
+    save(figure, "solveCost")
+    plt.close(figure)
+    return rows
