@@ -163,14 +163,12 @@ def test_not_converged_is_an_error_or_counted(box):
                            "b": {"eta": 1e3, "etaC": 1, "R": .1}},
              "fractions": lambda x, y: x < y, "g": (0, -1, 0)}
     stop = box("stop", **scene)
-    stop.substitute("system/fvSolution", {"creepingFlow . tolerance": "1e-10;"
-                                          " maxIter 3"})
+    stop.substitute("system/fvSolution", {"tolerance": "1e-10; maxIter 3"})
     done = stop.run("cosseratPicFoam", check=False)
     assert done.returncode and "not converged" in done.stdout
 
     going = box("going", notConverged="warn", **scene)
-    going.substitute("system/fvSolution", {"creepingFlow . tolerance": "1e-10;"
-                                           " maxIter 3"})
+    going.substitute("system/fvSolution", {"tolerance": "1e-10; maxIter 3"})
     done = going.run("cosseratPicFoam", check=False)
     assert done.returncode == 0
     assert "2 of 2 solves did not converge" in done.stdout

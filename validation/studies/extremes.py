@@ -2,6 +2,7 @@
 edges through cells, the silo at rest, the shear layer."""
 
 import re
+import shutil
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -38,6 +39,7 @@ def block(path, contrast, coupling, R, B, density, aspect, shear, n,
     def material(eta, rho):
         return {"eta": eta, "etaC": coupling*eta, "R": R, "B": B, "rho": rho}
 
+    shutil.rmtree(path, ignore_errors=True)
     case = Box(path, n=n, g=(0, -1, 0), tolerance=tolerance, shear=shear,
                notConverged="warn", fractions=fraction,
                warp=(lambda x, y: (x, y/aspect)) if aspect != 1 else None,
@@ -54,6 +56,8 @@ def measure(case, scene, parameters):
     found = []
     for tolerance in (1e-6, 1e-8):
         case.substitute("system/fvSolution", {"tolerance": tolerance})
+        for time in case.times():
+            shutil.rmtree(case.path/time)
         done = case.run("cosseratPicFoam", check=False)
         log = done.stdout
         if done.returncode:

@@ -321,9 +321,8 @@ void Foam::cosseratSystem::setFaceCoefficients()
                 if (M_[P] > 0 && M_[N] > 0)
                 {
                     const scalar M = 1/(lP/M_[P] + lN/M_[N]);
-                    const scalar etaC = 1/(lP/etaC_[P] + lN/etaC_[N]);
-                    const scalar kappa =
-                        etaC*(2*etaC + eta)/(3*(eta + etaC));
+                    const scalar es = 1/(lP/es_[P] + lN/es_[N]);
+                    const scalar kappa = es*(2*es + eta)/(3*(eta + es));
                     Km_[f] = dc_[f]*S_[f]*M/(1 + kappa/(M*sqr(dc_[f])));
                 }
             }

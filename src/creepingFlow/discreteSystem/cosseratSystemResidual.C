@@ -595,8 +595,8 @@ Foam::scalar Foam::cosseratSystem::wallCouple
     if (!boundary_.rotationFixed(i))
     {
         // Reduced as M on faces, for what their correction leaves at its end
-        const scalar kappa =
-            etaC*(4*etaC + eta_[P])/(6*(eta_[P] + etaC));
+        const scalar es = es_[P];
+        const scalar kappa = es*(4*es + eta_[P])/(6*(eta_[P] + es));
 
         return
             driven && M_[P] > 0

@@ -1,0 +1,71 @@
+"""The flow solve at extreme parameters: iterations, which solver is chosen,
+and no work where nothing has changed. Bounds from validation/Allrun extremes,
+on half its cells."""
+
+import re
+
+import numpy as np
+import pytest
+
+from cosserat.analytic import Material
+from studies.common import WALLS, run_layer
+from studies.extremes import DEFAULT, block, measure
+
+#: parameters: (iterations to 1e-6 at most, solver)
+ROWS = [
+    ({"contrast": 1e-6, "coupling": 0.0, "R": 0.0}, 28, "multigrid"),
+    ({"contrast": 1e3}, 42, "multigrid"),
+    ({"contrast": 1e6}, 36, "direct"),
+    ({"coupling": 1e-6}, 47, "multigrid"),
+    ({"R": 1e4}, 33, "multigrid"),
+    ({"coupling": 10.0, "R": 1e-6}, 29, "direct"),
+    ({"coupling": 10.0, "R": 1.0}, 45, "direct"),
+    ({"aspect": 3.0}, 44, "multigrid"),
+]
+
+
+@pytest.mark.parametrize("parameters, iterations, solver", ROWS)
+def test_block(tmp_path, parameters, iterations, solver):
+    """A heavy block with its edges through cells."""
+    given = {**DEFAULT, **parameters, "n": 32}
+    row = measure(block(tmp_path/"case", **given, tolerance=1e-6), "block",
+                  given)
+    assert row["converged"] and row["solver"] == solver
+    assert row["iterations"] <= iterations
+    assert row["change"] < 1e-4
+
+
+@pytest.mark.parametrize("coupling", [1.0, 1e3, 1e6])
+def test_one_material_takes_as_many_iterations(tmp_path, coupling):
+    """The factorised matrix is that of the residual: in one material at most
+    16 iterations at any etaC/eta and R."""
+    for R in (1e-6, 1e-1, 1e4):
+        given = {**DEFAULT, "contrast": 1, "coupling": coupling, "R": R,
+                 "n": 24}
+        case = block(tmp_path/f"R{R}", **given, tolerance=1e-6)
+        case.substitute("system/fvSolution", {
+            "notConverged": "warn; preconditioner { block direct; }"})
+        assert measure(case, "block", given)["iterations"] <= 17
+
+
+def test_no_locking():
+    """etaC/eta = 1000 and R -> 0: the classical flow, where a compact form
+    is off by a third."""
+    # The hyperbolic functions of its boundary layer overflow, and are not used
+    with np.errstate(all="ignore"):
+        case, _, row = run_layer("tests", "locking", Material(1.0, 1e3, 1e-6),
+                                 64, WALLS["OmegaSigma"], tolerance=1e-8)
+    y = case.centres()[:, 1]
+    u = case.field("U")[:, 0]
+    assert np.abs(u - y).max() < 1e-5
+    assert row["iterations"] <= 2
+
+
+def test_steady_scene_is_solved_once(tutorial):
+    """One material: what the points do changes nothing."""
+    case = tutorial("shearLayer", control={"endTime": 1e6,
+                                           "writeInterval": 1e6})
+    case.run("cosseratPicFoam")
+    solves = [int(n) for n in re.findall(r"No Iterations (\d+)", case.log())]
+    assert solves[0] > 0 and len(solves) > 100
+    assert not any(solves[3:])
