@@ -63,6 +63,7 @@ def measure(case, scene, parameters):
         if done.returncode:
             match = re.search(r"FATAL.*?\n(.*?)\n\s*From function", log, re.S)
             row["error"] = " ".join((match[1] if match else log[-300:]).split())
+            row["converged"] = False
             return row
         solves = residuals(log)
         # The first solve, before anything has moved
