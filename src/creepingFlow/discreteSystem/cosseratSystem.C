@@ -48,7 +48,6 @@ void Foam::cosseratSystem::setGeometry()
     )
     {
         field->setSize(nFaces_);
-        *field = 0;
     }
 
     // Squares
@@ -173,7 +172,10 @@ void Foam::cosseratSystem::setExactness()
         *X = 0;
     }
 
-    auto add = [&](const label celli, const scalar S, const label f, const vector& d)
+    auto add = [&]
+    (
+        const label celli, const scalar S, const label f, const vector& d
+    )
     {
         const scalar s0 = S*n0_[f], s1 = S*n1_[f];
         X00_[celli] += s0*d[i0];
@@ -411,14 +413,14 @@ Foam::vector Foam::cosseratSystem::gravity() const
 }
 
 
-Foam::vector Foam::cosseratSystem::bodyForce(const label celli) const
+Foam::tmp<Foam::vectorField> Foam::cosseratSystem::bodyForce() const
 {
-    vector force(materials_.rho().primitiveField()[celli]*gravity());
+    tmp<vectorField> tforce(materials_.rho().primitiveField()*gravity());
     if (load_.force())
     {
-        force += load_.force()->primitiveField()[celli];
+        tforce.ref() += load_.force()->primitiveField();
     }
-    return force;
+    return tforce;
 }
 
 

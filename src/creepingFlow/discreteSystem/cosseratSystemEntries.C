@@ -160,7 +160,7 @@ void Foam::cosseratSystem::addCellEntries
     {
         const label f = faces[k];
         const bool owner = own_[f] == celli;
-        const bool twoSided = nei_[f] < nCells_ || isCoupled(f);
+        const bool twoSided = isTwoSided(f);
         const scalar n[] = {n0_[f], n1_[f]}, t[] = {n1_[f], -n0_[f]};
         const scalar S = (owner ? S_[f] : -S_[f])/V_[celli];
 
@@ -224,7 +224,7 @@ void Foam::cosseratSystem::addCellEntries
     for (label k = 0; k < m; ++k)
     {
         const label f = faces[k];
-        if (nei_[f] < nCells_ || isCoupled(f))
+        if (isTwoSided(f))
         {
             continue;
         }
@@ -265,6 +265,19 @@ void Foam::cosseratSystem::addCellEntries
         }
     }
 
+    // u_n,t on a face, as tangentialGradientOfNormal()
+    auto addGradientOfNormal = [&]
+    (
+        velocityForm& sum, const scalar factor, const label f
+    )
+    {
+        const scalar n0 = n0_[f], n1 = n1_[f];
+        addTo(sum, factor*n1*n0, G[0][0]);
+        addTo(sum, factor*n1*n1, G[0][1]);
+        addTo(sum, -factor*n0*n0, G[1][0]);
+        addTo(sum, -factor*n0*n1, G[1][1]);
+    };
+
     // Compliance of jumps, as far as the cell itself makes it
     List<velocityForm> slip(m);
     for (label k = 0; k < m; ++k)
@@ -274,7 +287,6 @@ void Foam::cosseratSystem::addCellEntries
         {
             const label P = own_[f], N = nei_[f];
             const bool owner = P == celli;
-            const scalar n0 = n0_[f], n1 = n1_[f];
 
             scalar cq = b_[N] - b_[P], comega = 0;
             if (cosserat_)
@@ -287,10 +299,7 @@ void Foam::cosseratSystem::addCellEntries
             cq *= compliance[f]*(owner ? wStiff_[f] : 1 - wStiff_[f]);
 
             slip[k] = zero;
-            addTo(slip[k], cq*n1*n0, G[0][0]);
-            addTo(slip[k], cq*n1*n1, G[0][1]);
-            addTo(slip[k], -cq*n0*n0, G[1][0]);
-            addTo(slip[k], -cq*n0*n1, G[1][1]);
+            addGradientOfNormal(slip[k], cq, f);
             slip[k][last] += compliance[f]*comega;
         }
     }
@@ -335,9 +344,8 @@ void Foam::cosseratSystem::addCellEntries
     {
         const label f = faces[k];
         const bool owner = own_[f] == celli;
-        const bool twoSided = around[k + 1] != celli;
-        const scalar n0 = n0_[f], n1 = n1_[f];
-        const scalar t[] = {n1, -n0};
+        const bool twoSided = isTwoSided(f);
+        const scalar t[] = {n1_[f], -n0_[f]};
 
         const bool bears =
             twoSided
@@ -347,10 +355,7 @@ void Foam::cosseratSystem::addCellEntries
           : Kq_[f]*(owner ? wStiff_[f] : 1 - wStiff_[f]);
 
         velocityForm force(zero);
-        addTo(force, Kq*n1*n0, G[0][0]);
-        addTo(force, Kq*n1*n1, G[0][1]);
-        addTo(force, -Kq*n0*n0, G[1][0]);
-        addTo(force, -Kq*n0*n1, G[1][1]);
+        addGradientOfNormal(force, Kq, f);
 
         if (cosserat_ && bears)
         {
@@ -375,7 +380,7 @@ void Foam::cosseratSystem::addCellEntries
         {
             if
             (
-                nei_[f] >= nCells_ && !isCoupled(f)
+                !isTwoSided(f)
              && boundary_.rotationFixed(f - nInternal_)
             )
             {
@@ -396,8 +401,6 @@ void Foam::cosseratSystem::addCellEntries
 
 void Foam::cosseratSystem::viscousEntries(sparseEntries& e) const
 {
-    e.clear();
-
     // Global numbers of cells and of those behind coupled faces
     const globalIndex global(nCells_);
     scalarField number(halo_.size(), Zero);

@@ -170,7 +170,10 @@ void Foam::cosseratSystem::calcRotationGradient() const
     g0_ = 0;
     g1_ = 0;
 
-    auto add = [&](const label celli, const scalar S, const label f, const scalar v)
+    auto add = [&]
+    (
+        const label celli, const scalar S, const label f, const scalar v
+    )
     {
         // Differences, so that the faces left out do not matter
         g0_[celli] += S*n0_[f]*(v - omega_[celli]);

@@ -146,13 +146,19 @@ Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
         }
     }
 
-    // What the reconstructed force does beyond gravity and body force is the work of the
-    // discrete pressure
+    // What the force of the residual does beyond gravity and body force is the
+    // work of the discrete pressure
+    const vectorField b(bodyForce());
+    r = 0;
+    addForce(r);
+
     for (label celli = 0; celli < nCells_; ++celli)
     {
-        const vector b(bodyForce(celli));
-        const scalar weight =
-            u0_[celli]*b[frame_.i0()] + u1_[celli]*b[frame_.i1()];
+        const scalar weight = V_[celli]*
+        (
+            u0_[celli]*b[celli][frame_.i0()]
+          + u1_[celli]*b[celli][frame_.i1()]
+        );
 
         if (cosserat_ && load_.couple())
         {
@@ -160,9 +166,9 @@ Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
                *load_.couple()->primitiveField()[celli];
         }
 
-        sum.gravity += V_[celli]*weight;
-        sum.pressure += V_[celli]*
-            (u0_[celli]*f0_[celli] + u1_[celli]*f1_[celli] - weight);
+        sum.gravity += weight;
+        sum.pressure +=
+            u0_[celli]*r[celli] + u1_[celli]*r[nCells_ + celli] - weight;
     }
 
     for
@@ -199,9 +205,10 @@ void Foam::cosseratSystem::netForce
         add(boundary_.traction(f - nInternal_)*S_[f]*(t & direction));
     }
 
-    for (label celli = 0; celli < nCells_; ++celli)
+    const vectorField b(bodyForce());
+    forAll(b, celli)
     {
-        add(V_[celli]*(bodyForce(celli) & direction));
+        add(V_[celli]*(b[celli] & direction));
     }
 
     reduce(net, sumOp<scalar>());
