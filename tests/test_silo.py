@@ -7,10 +7,10 @@ import pytest
 
 from cosserat.case import Case, TUTORIALS, residuals
 from cosserat.picture import outflow
+from studies.siloDischarge import mesh_entries
 
 #: Cells along the blocks at half the resolution of the tutorial
-COARSE = {"nWall": 1, "nAperture": 4, "nCorridor": 4, "nAbove": 4,
-          "nFloor": 8, "nBelow": 15, "nFill": 20}
+COARSE = mesh_entries(4)
 
 
 @pytest.fixture(name="discharges", scope="module")

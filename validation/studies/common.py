@@ -7,6 +7,7 @@ import shutil
 from pathlib import Path
 
 import matplotlib
+import numpy as np
 matplotlib.use("Agg")
 
 # pylint: disable=wrong-import-position
@@ -50,11 +51,36 @@ def save(figure, name):
     figure.savefig(RESULTS/f"{name}.png")
 
 
-def new_case(study, name, tutorial):
-    """A fresh copy of a tutorial in runs/STUDY/NAME."""
-    path = HERE/"runs"/study/name
+def fresh_case(path, tutorial):
+    """A fresh copy of a tutorial."""
     shutil.rmtree(path, ignore_errors=True)
     return Case.copy(TUTORIALS/tutorial, path)
+
+
+def new_case(study, name, tutorial):
+    """A fresh copy of a tutorial in runs/STUDY/NAME."""
+    return fresh_case(HERE/"runs"/study/name, tutorial)
+
+
+def cpu_seconds(log):
+    """Processor time of a run [s]."""
+    return float(re.findall(r"ExecutionTime = (\S+) s", log)[-1])
+
+
+def add_orders(rows, *keys):
+    """Add to each row the order of convergence of its errors from the row
+    before, on half its cells: orderU of errU; None in the first."""
+    for coarse, fine in zip([None] + rows[:-1], rows):
+        for key in keys:
+            fine[f"order{key}"] = (
+                float(np.log2(coarse[f"err{key}"]/fine[f"err{key}"]))
+                if coarse else None)
+
+
+def cell_ticks(axis, cells, labels=None):
+    """Ticks at the numbers of cells of a logarithmic axis, no others."""
+    axis.set_xticks(cells, labels or [str(n) for n in cells])
+    axis.minorticks_off()
 
 
 def constant_material(case, material, rho=0):
@@ -117,12 +143,11 @@ def run_layer(study, name, material, n, walls=None, G=None, tolerance=1e-10,
     case.run("cosseratPicFoam")
 
     y = case.centres()[:, 1]
-    cpu = re.findall(r"ExecutionTime = (\S+) s", case.log())[-1]
     return case, exact, {
         "errU": err(exact.u(y), case.field("U")[:, 0]),
         "errOmega": err(exact.omega(y), case.field("omega")),
         "iterations": residuals(case.log())[0][3],
-        "cpu": float(cpu),
+        "cpu": cpu_seconds(case.log()),
     }
 
 

@@ -2,9 +2,9 @@
 the descendant of its code, measured on the same problem."""
 
 import matplotlib.pyplot as plt
-import numpy as np
 
-from studies.common import LABELS, PAPER, WALLS, run_layer, save
+from studies.common import (LABELS, PAPER, WALLS, add_orders, cell_ticks,
+                            run_layer, save)
 
 CELLS = [6, 12, 24, 48, 96]
 
@@ -21,14 +21,6 @@ ELLIPSIS = {
 }
 
 
-def order(rows, key):
-    """Order of convergence from each row to the next coarser one."""
-    for coarse, fine in zip([None] + rows[:-1], rows):
-        fine[f"order{key}"] = (
-            float(np.log2(coarse[f"err{key}"]/fine[f"err{key}"]))
-            if coarse else None)
-
-
 def draw(rows):
     """Errors of u and omega against the number of cells."""
     figure, axes = plt.subplots(1, 2, figsize=(9, 4.4), dpi=130)
@@ -42,8 +34,7 @@ def draw(rows):
                 axis.loglog(CELLS, ELLIPSIS[case][column], "--", lw=0.9,
                             color=f"C{i}")
         axis.plot([], [], "--", color="grey", label="ELLIPSIS3D")
-        axis.set_xticks(CELLS, [str(n) for n in CELLS])
-        axis.minorticks_off()
+        cell_ticks(axis, CELLS)
         axis.set_xlabel("cells across the layer")
         axis.set_ylabel(f"Err({label}), equation 30")
         axis.grid(alpha=0.3)
@@ -66,8 +57,7 @@ def study():
             if case in ELLIPSIS:
                 own[-1]["ellipsisU"] = ELLIPSIS[case][0][i]
                 own[-1]["ellipsisOmega"] = ELLIPSIS[case][1][i]
-        order(own, "U")
-        order(own, "Omega")
+        add_orders(own, "U", "Omega")
         rows += own
     draw(rows)
     return rows

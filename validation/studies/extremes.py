@@ -10,7 +10,8 @@ import numpy as np
 from cosserat.analytic import Material, ShearLayer, err
 from cosserat.box import Box
 from cosserat.case import residuals
-from studies.common import HERE, new_case, save, constant_material
+from studies.common import (HERE, constant_material, cpu_seconds, new_case,
+                            save)
 
 N = 64
 
@@ -73,7 +74,7 @@ def measure(case, scene, parameters):
         row["residual"] = max(solve[2] for solve in solves)
         row["converged"] = row["residual"] <= tolerance
         if tolerance == 1e-6:
-            row["cpu"] = float(re.findall(r"ExecutionTime = (\S+) s", log)[-1])
+            row["cpu"] = cpu_seconds(log)
         row["solver"] = ("direct" if "sparse factorisation" in log
                          else "multigrid")
         found.append(case.field("U"))

@@ -2,7 +2,6 @@
 Figure 3): errors, dye bands, points per cell."""
 
 import re
-import shutil
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -10,7 +9,7 @@ import numpy as np
 from cosserat.analytic import Material, ShearLayer, err, granular_contact
 from cosserat.case import Case
 from cosserat.picture import draw_points, draw_walls
-from studies.common import HERE, TUTORIALS, save
+from studies.common import HERE, fresh_case, save
 
 STEPS = 1000
 END = 2.6e7
@@ -47,8 +46,7 @@ def bands(case, time, exact):
 
 def run(path, wanted):
     """Run the tutorial on to each of the wanted steps; a row for each."""
-    shutil.rmtree(path, ignore_errors=True)
-    case = Case.copy(TUTORIALS/"shearLayer", path)
+    case = fresh_case(path, "shearLayer")
     case.substitute("system/controlDict", {
         "adjustTimeStep": "no", "deltaT": END/STEPS})
     # Not that of the function objects, which are further in

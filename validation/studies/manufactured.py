@@ -7,7 +7,7 @@ import numpy as np
 from cosserat.analytic import Manufactured, Material
 from cosserat.box import Box
 from cosserat.case import residuals
-from studies.common import HERE, save
+from studies.common import HERE, add_orders, cell_ticks, save
 
 CELLS = [12, 24, 48, 96]
 
@@ -83,14 +83,6 @@ def run(path, mesh, n, tolerance=1e-8):
     }
 
 
-def orders(rows):
-    """Add the orders from each row to the one before."""
-    for coarse, fine in zip(rows, rows[1:]):
-        for key in ("U", "Omega", "P"):
-            fine[f"order{key}"] = float(np.log2(
-                coarse[f"err{key}"]/fine[f"err{key}"]))
-
-
 def study():
     """Rows: mesh, n (cells along a side), cells, errU, errOmega, errP
     (relative L2), orderU, orderOmega, orderP, iterations."""
@@ -98,7 +90,7 @@ def study():
     for mesh in MESHES:
         own = [run(HERE/"runs/manufactured"/f"{mesh}{n}", mesh, n)
                for n in CELLS]
-        orders(own)
+        add_orders(own, "U", "Omega", "P")
         rows += own
 
     figure, axes = plt.subplots(1, 3, figsize=(11, 4), dpi=130)
@@ -111,8 +103,7 @@ def study():
         top = max(row[key] for row in rows)
         axis.loglog(CELLS, [top*(CELLS[0]/n)**2 for n in CELLS], ":",
                     color="grey", label="order 2")
-        axis.set_xticks(CELLS, [str(n) for n in CELLS])
-        axis.minorticks_off()
+        cell_ticks(axis, CELLS)
         axis.set_xlabel("cells along a side")
         axis.set_ylabel(f"error of {label}, relative L2")
         axis.grid(alpha=0.3)

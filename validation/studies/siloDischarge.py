@@ -2,7 +2,6 @@
 of 0, 1/3, 2/3, 5/3, 10/3 apertures on three meshes, and the average of the
 viscosity in cut cells."""
 
-import re
 import shutil
 
 import matplotlib.pyplot as plt
@@ -10,7 +9,7 @@ import numpy as np
 
 from cosserat.case import residuals
 from cosserat.picture import outflow, snapshots
-from studies.common import new_case, save, RESULTS
+from studies.common import RESULTS, cpu_seconds, new_case, save
 
 ALPHAS = {"0": 0.0, "1/3": 1/3, "2/3": 2/3, "5/3": 5/3, "10/3": 10/3}
 
@@ -26,6 +25,11 @@ TIMES = [REST, 4.75e-4, 1.425e-3, 2.85e-3, 3.8e-3]
 #: Lengths of the blocks of blockMeshDict
 BLOCKS = {"nWall": 0.25, "nAperture": 1, "nCorridor": 1, "nAbove": 1,
           "nFloor": 2, "nBelow": 3.75, "nFill": 5}
+
+
+def mesh_entries(cells):
+    """Entries of blockMeshDict for a number of cells a unit length."""
+    return {key: round(length*cells) for key, length in BLOCKS.items()}
 
 
 def initial_rate(case):
@@ -46,8 +50,7 @@ def run(name, alpha, cells, average):
     """One discharge: its case and row."""
     def scene(target):
         case = new_case("siloDischarge", target, "silo")
-        case.substitute("system/blockMeshDict", {
-            key: round(length*cells) for key, length in BLOCKS.items()})
+        case.substitute("system/blockMeshDict", mesh_entries(cells))
         case.substitute("constant/materialProperties", {
             "alpha": repr(alpha), "viscosityAverage": average})
         case.run("blockMesh")
@@ -74,7 +77,7 @@ def run(name, alpha, cells, average):
         "volumeDrift": float(np.abs(rows[:, 4]/VOLUME - 1).max()),
         "steps": len(rows) - 1,
         "maxIterations": max(row[3] for row in residuals(log)),
-        "cpu": float(re.findall(r"ExecutionTime = (\S+) s", log)[-1]),
+        "cpu": cpu_seconds(log),
     }
 
 

@@ -2,11 +2,10 @@
 of 'extremes' on four meshes."""
 
 import re
-import subprocess
 
 import matplotlib.pyplot as plt
 
-from studies.common import HERE, save
+from studies.common import HERE, cell_ticks, save
 from studies.extremes import DEFAULT, block
 
 CELLS = [64, 128, 256, 512]
@@ -21,14 +20,7 @@ def run(n, contrast, model, repeat=3):
     path = case.path/"system/fvSolution"
     path.write_text(path.read_text().replace(
         "notConverged", "preconditioner { block multigrid; } notConverged"))
-    done = subprocess.run(
-        ["/usr/bin/env", "bash", "-c",
-         f"Test-solveCost -repeat {repeat} & pid=$!; peak=0; "
-         "while read -r size < <(awk '/VmHWM/ {print $2}' /proc/$pid/status "
-         "2> /dev/null) && [ -n \"$size\" ]; do peak=$size; sleep 0.2; done; "
-         "wait $pid; echo peakMemory $peak"],
-        cwd=case.path, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-        text=True, check=True).stdout
+    done = case.run("Test-solveCost", "-repeat", repeat).stdout
     value = dict(re.findall(
         r"(flowSeconds|iterations|poissonIterations|poissonUnits|peakMemory)"
         r" (\S+)", done))
@@ -57,7 +49,7 @@ def study():
                           [row["poissonUnits"] for row in own], style + "o",
                           ms=4, color=f"C{i}", base=2,
                           label=f"{model}, contrast {contrast:g}")
-    axes.set_xticks(CELLS, [f"{n}$^2$" for n in CELLS])
+    cell_ticks(axes, CELLS, [f"{n}$^2$" for n in CELLS])
     axes.set_xlabel("cells")
     axes.set_ylabel("flow solve over Poisson solve")
     axes.set_ylim(bottom=0)

@@ -28,7 +28,9 @@ Description
     alternating; set-up of both included. The best of several is printed:
 
         solveCost: cells N flowSeconds F iterations I poissonSeconds P
-        poissonIterations J poissonUnits F/P
+        poissonIterations J poissonUnits F/P peakMemory K
+
+    The last is that of the process, in kB, on the master.
 
     The case is one of cosseratPicFoam.
 
@@ -41,6 +43,7 @@ Usage
 #include "creepingFlow.H"
 #include "materialPointCloud.H"
 #include "clockTime.H"
+#include "memInfo.H"
 #include "gaussLaplacianScheme.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -142,7 +145,8 @@ int main(int argc, char *argv[])
         << " flowSeconds " << flowSeconds << " iterations " << nFlow
         << " poissonSeconds " << poissonSeconds
         << " poissonIterations " << nPoisson
-        << " poissonUnits " << flowSeconds/poissonSeconds << nl << endl;
+        << " poissonUnits " << flowSeconds/poissonSeconds
+        << " peakMemory " << memInfo().peak() << nl << endl;
 
     return 0;
 }

@@ -87,7 +87,6 @@ void Foam::blockPreconditioner::solveDirectly
 }
 
 
-
 void Foam::blockPreconditioner::cycle
 (
     const label block,
@@ -142,18 +141,6 @@ void Foam::blockPreconditioner::update()
     const label n = system_.nCells();
     const scalarField& V = system_.mesh().V();
 
-    weights_.setSize(system_.size());
-    scalarField diag, face, rAU(n, Zero);
-
-    for (label cmpt = 0; cmpt < 2; ++cmpt)
-    {
-        system_.velocityBlock(cmpt, diag, face);
-        blocks_[cmpt].set(diag, face);
-        SubList<scalar>(weights_, n, cmpt*n) = 1/sqrt(diag);
-        rAU += 0.5*diag;
-    }
-    system_.setRAU(V/rAU);
-
     const bool direct = needsFactorisation();
     if (direct != direct_)
     {
@@ -164,6 +151,22 @@ void Foam::blockPreconditioner::update()
             << endl;
         direct_ = direct;
     }
+
+    weights_.setSize(system_.size());
+    scalarField diag, face, rAU(n, Zero);
+
+    for (label cmpt = 0; cmpt < 2; ++cmpt)
+    {
+        system_.velocityBlock(cmpt, diag, face);
+        if (!direct_)
+        {
+            blocks_[cmpt].set(diag, face);
+        }
+        SubList<scalar>(weights_, n, cmpt*n) = 1/sqrt(diag);
+        rAU += 0.5*diag;
+    }
+    system_.setRAU(V/rAU);
+
     if (direct_)
     {
         if (factorisation_.empty())
@@ -175,8 +178,9 @@ void Foam::blockPreconditioner::update()
                 (system_.nBlocks() - 1)*n
             );
         }
-        system_.viscousEntries(entries_);
-        factorisation_->factorise(entries_);
+        sparseEntries entries;
+        system_.viscousEntries(entries);
+        factorisation_->factorise(entries);
     }
 
     muByV_ = system_.pressureViscosity()/V;
@@ -185,7 +189,10 @@ void Foam::blockPreconditioner::update()
     if (system_.cosserat())
     {
         system_.rotationBlock(diag, face);
-        blocks_[2].set(diag, face);
+        if (!direct_)
+        {
+            blocks_[2].set(diag, face);
+        }
         SubList<scalar>(weights_, n, 3*n) = 1/sqrt(diag);
     }
 }
