@@ -10,6 +10,7 @@ import pytest
 from cosserat.analytic import Material
 from studies.common import WALLS, run_layer
 from studies.extremes import DEFAULT, block, measure
+from studies.sceneCost import run as run_scene
 
 #: parameters: (iterations to 1e-6 at most, solver)
 ROWS = [
@@ -21,6 +22,8 @@ ROWS = [
     ({"coupling": 10.0, "R": 1e-6}, 29, "direct"),
     ({"coupling": 10.0, "R": 1.0}, 45, "direct"),
     ({"aspect": 3.0}, 44, "multigrid"),
+    ({"graded": 100.0}, 82, "multigrid"),
+    ({"B": 1e6}, 50, "multigrid"),
 ]
 
 
@@ -69,3 +72,45 @@ def test_steady_scene_is_solved_once(tutorial):
     solves = [int(n) for n in re.findall(r"No Iterations (\d+)", case.log())]
     assert solves[0] > 0 and len(solves) > 100
     assert not any(solves[3:])
+
+
+@pytest.mark.parametrize("scene, parts", [
+    ("no etaC anywhere", ["microrotation"]),
+    ("no density anywhere", ["gravity"]),
+    ("two materials at rest; steady", ["matrices"]),
+])
+def test_part_left_out(scene, parts):
+    """What a scene does not need changes nothing if forced on."""
+    row = run_scene(scene, n=16, repeat=1)
+    assert row["off"].split() == parts
+    assert row["difference"] < 1e-12
+    assert row["iterations"] == row["iterationsForced"]
+
+
+def test_one_material_needs_no_average(tutorial):
+    """Dye alone: no fractions, nothing averaged; the table says so."""
+    case = tutorial("shearLayer", control={"endTime": 4e4,
+                                           "writeInterval": 4e4})
+    case.run("cosseratPicFoam")
+    assert re.search(r"averages +no\n", case.log())
+    assert not list(case.path.glob("*/alpha.*"))
+
+
+@pytest.mark.parametrize("mesh, aspect, angle", [
+    ({"graded": 20.0}, 20, 0), ({"shear": 0.5}, 1.2, 26.565)])
+def test_not_converged_names_cause_and_cure(tmp_path, mesh, aspect, angle):
+    """The message of a flow that does not converge."""
+    given = {**DEFAULT, "n": 16, **mesh}
+    case = block(tmp_path/"case", **given, tolerance=1e-6)
+    case.substitute("system/fvSolution", {"notConverged": "error; maxIter 5"})
+    row = measure(case, "block", given)
+    assert not row["converged"]
+    found = re.search(r"etaC/eta (\S+), largest jump of eta between cells (\S+)"
+                      r" Mesh: distances to neighbours up to (\S+) : 1, faces"
+                      r" up to (\S+) degrees", row["error"])
+    coupling, jump, ratio, degrees = map(float, found.groups())
+    assert coupling == 1 and 300 < jump <= 1000
+    assert aspect*0.8 < ratio < aspect*1.2
+    assert abs(degrees - angle) < 1e-2
+    for part in ("Cures", "nDirections", "block direct", "cells nearer to"):
+        assert part in row["error"]

@@ -253,12 +253,12 @@ def test_plane_of_the_mesh(box):
     assert np.abs(omega).max() > 0.1
 
 
-def annulus(tmp_path, U, omega):
+def annulus(tmp_path, U, omega, outer=("exact", "exact"), material=None):
     """A quarter of an annulus whose walls follow U and omega; radius,
     velocity around and along the radius, omega, all of shape (angle, radius)."""
-    case = Annulus(tmp_path/"case", n=8, materials={"a": GRANULAR},
-                   walls={"left": ("exact", "exact"),
-                          "right": ("exact", "exact")},
+    case = Annulus(tmp_path/"case", n=8,
+                   materials={"a": material or GRANULAR},
+                   walls={"left": ("exact", "exact"), "right": outer},
                    U=U, omega=omega, tolerance=1e-12).write()
     case.run("cosseratPicFoam")
     x, y = case.centres()[:, :2].T
@@ -272,6 +272,19 @@ def test_rigid_rotation_of_an_annulus(tmp_path):
     """Exact on the curved mesh too, and through ends cyclic by rotation."""
     r, around, along, omega = annulus(
         tmp_path, lambda x, y: (-y, x), lambda x, y: 1 + 0*x)
+    assert np.abs(around - r).max() < 1e-11
+    assert np.abs(along).max() < 1e-11
+    assert np.abs(omega - 1).max() < 1e-11
+
+
+@pytest.mark.parametrize("etaC", [0.0, 0.3, 3.0])
+def test_free_slip_along_a_curved_wall(tmp_path, etaC):
+    """Turned by its inner wall the fluid rotates as a rigid body: the outer
+    wall bears no traction only if its curvature is counted."""
+    r, around, along, omega = annulus(
+        tmp_path, lambda x, y: (-y, x), lambda x, y: 1 + 0*x,
+        ("type slip;", "type zeroGradient;"),
+        {"eta": 1.0, "etaC": etaC, "R": 0.3 if etaC else 0.0})
     assert np.abs(around - r).max() < 1e-11
     assert np.abs(along).max() < 1e-11
     assert np.abs(omega - 1).max() < 1e-11

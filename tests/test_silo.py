@@ -52,11 +52,11 @@ def test_volume_is_kept(discharges):
 
 
 def test_every_step_converges(discharges):
-    """No step left unconverged, at most 60 outer iterations in one."""
+    """No step left unconverged, at most 66 outer iterations in one."""
     for case in discharges.values():
         log = case.log()
         rows = residuals(log)
-        assert max(row[3] for row in rows) <= 60
+        assert max(row[3] for row in rows) <= 66
         assert max(row[2] for row in rows) <= 1e-6
         assert re.search(r"at most \d+ in one, 0 not converged", log)
 

@@ -6,6 +6,7 @@ import shutil
 
 import matplotlib.pyplot as plt
 import numpy as np
+from scipy.optimize import brentq
 
 from cosserat.analytic import Material, ShearLayer, err
 from cosserat.box import Box
@@ -17,7 +18,8 @@ N = 64
 
 #: What a run is given unless a row says otherwise
 DEFAULT = {"contrast": 1e3, "coupling": 1.0, "R": 0.1, "B": "infinite",
-           "density": 0.0, "aspect": 1.0, "shear": 0.0, "n": N}
+           "density": 0.0, "aspect": 1.0, "graded": 1.0,
+           "shear": 0.0, "n": N}
 
 
 def overlap(centre, width, low, high):
@@ -26,16 +28,31 @@ def overlap(centre, width, low, high):
                     - np.maximum(centre - width/2, low))/width, 0, 1)
 
 
-def block(path, contrast, coupling, R, B, density, aspect, shear, n,
+def grading(n, graded):
+    """Map of [-1/2, 1/2] onto itself, and its inverse, that makes the first
+    of n cells smaller by a factor, the others growing geometrically."""
+    if graded == 1:
+        return lambda y: y, lambda y: y
+    ratio = brentq(lambda r: graded*n*(r**(1/n) - 1) - (r - 1), 1.01, 1e8)
+    return (lambda y: (ratio**(y + .5) - 1)/(ratio - 1) - .5,
+            lambda y: np.log1p((y + .5)*(ratio - 1))/np.log(ratio) - .5)
+
+
+def block(path, contrast, coupling, R, B, density, aspect, graded, shear, n,
           tolerance):
     """A block of density 1 sinks in a fluid of eta = 1; its edges are inside
-    cells. aspect: width over height of a cell."""
+    cells. aspect: width over height of the box and of each cell; graded:
+    width over height of the lowest cells."""
     h = 1/n
+    there, back = grading(n, graded)
 
     def fraction(x, y):
         # On a sheared mesh the block is sheared with it
         return (overlap(x - shear*y, h, -.2 + .137*h, .13 + .3*h)
-                * overlap(y*aspect, h, -.05 + .41*h, .3 + .22*h))
+                * overlap(back(y*aspect), h, -.05 + .41*h, .3 + .22*h))
+
+    def warp(x, y):
+        return x, there(y)/aspect
 
     def material(eta, rho):
         return {"eta": eta, "etaC": coupling*eta, "R": R, "B": B, "rho": rho}
@@ -43,7 +60,7 @@ def block(path, contrast, coupling, R, B, density, aspect, shear, n,
     shutil.rmtree(path, ignore_errors=True)
     case = Box(path, n=n, g=(0, -1, 0), tolerance=tolerance, shear=shear,
                notConverged="warn", fractions=fraction,
-               warp=(lambda x, y: (x, y/aspect)) if aspect != 1 else None,
+               warp=warp if aspect != 1 or graded != 1 else None,
                materials={"block": material(contrast, 1),
                           "rest": material(1.0, density)}).write()
     return case
@@ -102,6 +119,7 @@ def blocks():
     yield {"density": 0.999}
     for aspect in (3.0, 10.0, 100.0, 1000.0):
         yield {"aspect": aspect}
+        yield {"graded": aspect}
     for shear in (0.5, 1.0, 1.732):
         yield {"shear": shear}
     for n in (32, 128):

@@ -98,7 +98,10 @@ int main(int argc, char *argv[])
         if (points.valid())
         {
             points->move(runTime.deltaTValue());
-            points->average(materials.fractions());
+            if (materials.parts().has(sceneParts::AVERAGES))
+            {
+                points->average(materials.fractions());
+            }
             points->report();
         }
 

@@ -212,9 +212,14 @@ Foam::materialFields::materialFields(const fvMesh& mesh)
         )
     ),
     materials_(readMaterials()),
+    parts_
+    (
+        materials_,
+        mesh.solutionDict().subOrEmptyDict("creepingFlow")
+    ),
     viscosityAverage_(readAverage("viscosityAverage")),
     densityAverage_(readAverage("densityAverage")),
-    alphas_(materials_.size() > 1 ? materials_.size() : 0),
+    alphas_(parts_.has(sceneParts::AVERAGES) ? materials_.size() : 0),
     rho_(newField("rho", materials_[0].rho())),
     eta_(newField("eta", materials_[0].law().eta())),
     etaC_(newField("etaC", materials_[0].law().etaC())),
@@ -262,6 +267,7 @@ Foam::materialFields::materialFields(const fvMesh& mesh)
             << averageTypeNames[densityAverage_] << nl;
     }
     Info<< endl;
+    parts_.print(Info);
 }
 
 
@@ -312,45 +318,6 @@ void Foam::materialFields::correct()
     average(M_, M, viscosityAverage_);
     // Volume changes of the materials of a cell add up
     average(invB_, invB, averageType::ARITHMETIC);
-}
-
-
-bool Foam::materialFields::cosserat() const
-{
-    for (const material& m : materials_)
-    {
-        if (m.law().etaC().value() > 0 && m.law().M().value() > 0)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
-bool Foam::materialFields::compressible() const
-{
-    for (const material& m : materials_)
-    {
-        if (m.law().invB().value() > 0)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
-bool Foam::materialFields::heavy() const
-{
-    for (const material& m : materials_)
-    {
-        if (m.rho().value() > 0)
-        {
-            return true;
-        }
-    }
-    return false;
 }
 
 

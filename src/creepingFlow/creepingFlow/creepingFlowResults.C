@@ -44,7 +44,7 @@ Foam::tmp<Foam::volTensorField> Foam::creepingFlow::stress() const
         )
     );
 
-    if (materials_.compressible())
+    if (materials_.parts().has(sceneParts::COMPRESSIBILITY))
     {
         tsigma.ref() -= materials_.eta()*tr(gamma)*tensor::I;
     }
@@ -80,7 +80,7 @@ Foam::tmp<Foam::volScalarField> Foam::creepingFlow::dissipation() const
         )
     );
 
-    if (materials_.compressible())
+    if (materials_.parts().has(sceneParts::COMPRESSIBILITY))
     {
         // (B - eta) tr(D)^2, with B tr(D) = -p
         tdissipation.ref() -=

@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cosseratSystem.H"
+#include "unitConversion.H"
 #include "coupledPolyPatch.H"
 #include "surfaceFields.H"
 #include "uniformDimensionedFields.H"
@@ -407,7 +408,7 @@ void Foam::cosseratSystem::setFeedback()
 Foam::vector Foam::cosseratSystem::gravity() const
 {
     return
-        materials_.heavy()
+        materials_.parts().has(sceneParts::GRAVITY)
       ? mesh_.time().lookupObject<uniformDimensionedVectorField>("g").value()
       : vector(Zero);
 }
@@ -478,7 +479,7 @@ void Foam::cosseratSystem::setGravity()
     gravity_ = 0;
     rhoGh_ = scalarField(nCells_, Zero);
 
-    if (!materials_.heavy())
+    if (!materials_.parts().has(sceneParts::GRAVITY))
     {
         return;
     }
@@ -557,8 +558,8 @@ Foam::cosseratSystem::cosseratSystem
     boundary_(boundary),
     materials_(materials),
     load_(mesh),
-    cosserat_(materials.cosserat()),
-    compressible_(materials.compressible()),
+    cosserat_(materials.parts().has(sceneParts::MICROROTATION)),
+    compressible_(materials.parts().has(sceneParts::COMPRESSIBILITY)),
     nonOrthogonal_(false),
     skewed_(false),
     adjoint_(false),
@@ -779,6 +780,41 @@ Foam::scalar Foam::cosseratSystem::largestJump() const
         largest = max(largest, max(ratio, 1/ratio));
     }
     return returnReduce(largest, maxOp<scalar>());
+}
+
+
+Foam::scalar Foam::cosseratSystem::largestAspect() const
+{
+    scalarField smallest(nCells_, GREAT), most(nCells_, Zero);
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            for (const label celli : {own_[f], nei_[f]})
+            {
+                if (celli < nCells_)
+                {
+                    smallest[celli] = min(smallest[celli], dc_[f]);
+                    most[celli] = max(most[celli], dc_[f]);
+                }
+            }
+        }
+    }
+    return gMax(scalarField(most/smallest));
+}
+
+
+Foam::scalar Foam::cosseratSystem::largestAngle() const
+{
+    scalar tangent = 0;
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            tangent = max(tangent, Foam::hypot(k0_[f], k1_[f]));
+        }
+    }
+    return radToDeg(atan(returnReduce(tangent, maxOp<scalar>())));
 }
 
 

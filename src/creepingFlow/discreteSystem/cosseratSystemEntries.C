@@ -176,13 +176,15 @@ void Foam::cosseratSystem::addCellEntries
         else
         {
             const auto kind = boundary_.velocity(f - nInternal_);
-            wt = kind == flowBoundary::VELOCITY ? 0 : 1;
+            wt =
+                kind == flowBoundary::VELOCITY ? 0
+              : kind == flowBoundary::TRACTION ? wallGain(f) : 1;
             wn = kind == flowBoundary::OPEN ? 1 : 0;
             if (cosserat_ && kind == flowBoundary::TRACTION)
             {
                 const scalar share =
                     boundary_.rotationFixed(f - nInternal_) ? wallShare(f) : 0;
-                slope = -2*etaC_[celli]*(1 - share)
+                slope = -2*etaC_[celli]*(1 - share)*wallGain(f)
                    /(eta_[celli] + etaC_[celli]);
             }
         }
@@ -238,7 +240,8 @@ void Foam::cosseratSystem::addCellEntries
         {
             const scalar factor =
                 (boundary_.rotationFixed(f - nInternal_) ? 2.0/3 : 8.0/3)
-               *resolution(celli, f)*etaC_[celli]/(eta_[celli] + etaC_[celli]);
+               *resolution(celli, f)*etaC_[celli]*wallGain(f)
+               /(eta_[celli] + etaC_[celli]);
             const velocityForm s(rotation());
             for (label j = 0; j < 2; ++j)
             {

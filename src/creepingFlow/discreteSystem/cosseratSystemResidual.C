@@ -81,16 +81,17 @@ void Foam::cosseratSystem::setBoundaryValues(const bool driven) const
             }
             case flowBoundary::TRACTION:
             {
-                // Tangential gradient such that the wall bears the traction;
-                // along a straight wall u_n,t = 0. The mean of omega on the
-                // way makes it the mean gradient, so u_b is of second order
+                // Tangential gradient such that the wall bears the traction,
+                // with u_n,t = -curvature u_t. The mean of omega on the way
+                // makes it the mean gradient, so u_b is of second order
                 const scalar t0 = n1_[f], t1 = -n0_[f];
                 const scalar traction = driven ? boundary_.traction(i) : 0;
                 const scalar mean =
                     omega_[P] + wallShare(f)*(omega_[b] - omega_[P]);
                 const scalar slope =
                     (traction - 2*etaC_[P]*mean)/(eta_[P] + etaC_[P]);
-                const scalar ut = u0_[P]*t0 + u1_[P]*t1 + slope/dc_[f];
+                const scalar ut = wallGain(f)*
+                    (u0_[P]*t0 + u1_[P]*t1 + slope/dc_[f]);
 
                 u0_[b] = ut*t0;
                 u1_[b] = ut*t1;
@@ -230,14 +231,27 @@ void Foam::cosseratSystem::correctWalls() const
             }
             if (boundary_.velocity(i) == flowBoundary::TRACTION)
             {
-                const scalar ut =
-                    d*etaC_[P]*(curvature/6 - change)/(eta_[P] + etaC_[P]);
-                const scalar s = S_[f]/V_[P];
-
-                u0_[b] += ut*n1;
-                u1_[b] -= ut*n0;
-                addToGradient(P, s*n0, s*n1, ut*n1, -ut*n0);
+                addWallSpeed
+                (
+                    f,
+                    d*etaC_[P]*(curvature/6 - change)/(eta_[P] + etaC_[P])
+                );
             }
+        }
+
+        // From the foot of the normal through the centre to the face centre
+        if
+        (
+            nonOrthogonal_
+         && boundary_.velocity(i) == flowBoundary::TRACTION
+        )
+        {
+            addWallSpeed
+            (
+                f,
+              - d*(k0_[f]*(G00_[P]*n1 - G01_[P]*n0)
+                 + k1_[f]*(G10_[P]*n1 - G11_[P]*n0))
+            );
         }
 
         // The Gauss gradient has the slopes of quarter and inner face by

@@ -26,6 +26,13 @@ License
 #include "PstreamReduceOps.H"
 #include "ListOps.H"
 
+// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
+
+//- Share of the squared length of a vector that must remain when others are
+//- taken out, lest what remains be no longer orthogonal to them
+static const Foam::scalar remaining = 0.25;
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::flexibleGMRES::weightedResidual
@@ -65,35 +72,41 @@ Foam::flexibleGMRES::residuals Foam::flexibleGMRES::norms
 }
 
 
-void Foam::flexibleGMRES::orthogonalise
+Foam::scalar Foam::flexibleGMRES::orthogonalise
 (
     scalarField& v,
     const label n,
     scalarList& h
 ) const
 {
-    // Classical Gram-Schmidt, twice is enough: one reduction each time
+    // Classical Gram-Schmidt, one reduction a pass, which also gives the
+    // length that remains. Another pass where that is small beside what was
+    // taken away; twice is enough
+    scalarList products(n + 1);
+    scalar sqrLength = 0;
+
     for (label pass = 0; pass < 2; ++pass)
     {
-        scalarList products(n);
-        for (label i = 0; i < n; ++i)
-        {
-            products[i] = sumProd(v_[i], v);
-        }
+        v_.products(v, products);
         Pstream::listCombineGather(products, plusEqOp<scalar>());
         Pstream::listCombineScatter(products);
 
+        const scalar sqrBefore = products[n];
+        sqrLength = sqrBefore;
         for (label i = 0; i < n; ++i)
         {
-            const scalar product = products[i];
-            const scalarField& vi = v_[i];
-            forAll(v, j)
-            {
-                v[j] -= product*vi[j];
-            }
-            h[i] += product;
+            h[i] += products[i];
+            sqrLength -= sqr(products[i]);
+            products[i] *= -1;
+        }
+        v_.add(SubList<scalar>(products, n), v);
+
+        if (sqrLength > remaining*sqrBefore)
+        {
+            break;
         }
     }
+    return Foam::sqrt(max(sqrLength, scalar(0)));
 }
 
 
@@ -127,8 +140,7 @@ Foam::label Foam::flexibleGMRES::cycle
         v.negate();
 
         scalarList h(k + 1, Zero);
-        orthogonalise(v, k + 1, h);
-        const scalar norm = Foam::sqrt(gSumSqr(v));
+        const scalar norm = orthogonalise(v, k + 1, h);
         if (norm > 0)
         {
             v /= norm;
@@ -140,7 +152,6 @@ Foam::label Foam::flexibleGMRES::cycle
             h[i] = c[i]*hi + s[i]*h[i + 1];
             h[i + 1] = -s[i]*hi + c[i]*h[i + 1];
         }
-
         const scalar length = Foam::sqrt(sqr(h[k]) + sqr(norm));
         if (!(length > 0))
         {
@@ -166,8 +177,8 @@ Foam::label Foam::flexibleGMRES::cycle
             g[i] -= R(i, j)*g[j];
         }
         g[i] /= R(i, i);
-        x += g[i]*z_[i];
     }
+    z_.add(SubList<scalar>(g, k), x);
 
     return k;
 }
@@ -188,7 +199,7 @@ Foam::flexibleGMRES::flexibleGMRES
     motions_(motions),
     tolerance_(controls.getOrDefault<scalar>("tolerance", 1e-6)),
     maxIter_(controls.getOrDefault<label>("maxIter", 300)),
-    nDirections_(controls.getOrDefault<label>("nDirections", 60)),
+    nDirections_(controls.getOrDefault<label>("nDirections", 150)),
     v_(nDirections_ + 1),
     z_(nDirections_)
 {
@@ -199,15 +210,6 @@ Foam::flexibleGMRES::flexibleGMRES
             << ", nDirections " << nDirections_ << nl
             << "    Allowed: a tolerance between 0 and 1, the others at"
             << " least 1" << exit(FatalIOError);
-    }
-
-    forAll(v_, i)
-    {
-        v_.set(i, new scalarField());
-    }
-    forAll(z_, i)
-    {
-        z_.set(i, new scalarField());
     }
 
     Info<< "    tolerance " << tolerance_ << ", maxIter " << maxIter_

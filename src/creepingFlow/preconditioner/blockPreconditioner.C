@@ -102,6 +102,21 @@ void Foam::blockPreconditioner::cycle
 }
 
 
+Foam::tmp<Foam::scalarField> Foam::blockPreconditioner::pressureOf
+(
+    const scalarUList& r
+) const
+{
+    tmp<scalarField> tp(2*muByV_*r);
+    if (system_.closed())
+    {
+        const scalarField& V = system_.mesh().V();
+        tp.ref() -= gSum(V*tp())/gSum(V);
+    }
+    return tp;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::blockPreconditioner::blockPreconditioner
@@ -208,11 +223,10 @@ void Foam::blockPreconditioner::apply
     work_ = r;
     z.setSize(r.size());
 
-    scalarField p(2*muByV_*SubList<scalar>(r, n, 2*n));
-    if (system_.pressureFloats())
+    scalarField p(pressureOf(SubList<scalar>(r, n, 2*n)));
+    if (system_.closed() && !system_.pressureFloats())
     {
-        const scalarField& V = system_.mesh().V();
-        p -= gSum(V*p)/gSum(V);
+        p += gSum(SubList<scalar>(r, n, 2*n))/system_.compliance();
     }
 
     if (direct_)
@@ -237,7 +251,7 @@ void Foam::blockPreconditioner::apply
 
     system_.addDivergence(z, work_);
     SubList<scalar>(z, n, 2*n) =
-        scalarField(p + 2*muByV_*SubList<scalar>(work_, n, 2*n));
+        scalarField(p + pressureOf(SubList<scalar>(work_, n, 2*n)));
 
     if (system_.cosserat() && !direct_)
     {

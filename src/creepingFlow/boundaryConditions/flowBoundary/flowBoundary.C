@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "flowBoundary.H"
+#include "wallCurvature.H"
 #include "planarFrame.H"
 #include "tangentialTractionFvPatchVectorField.H"
 #include "coupleTractionFvPatchScalarField.H"
@@ -106,6 +107,11 @@ void Foam::flowBoundary::classifyVelocity(const label patchi)
     {
         velocityKind_[start + facei] = kind;
     }
+    if (kind == TRACTION)
+    {
+        SubList<scalar>(curvature_, pf.size(), start) =
+            wallCurvature(pf.patch(), frame_);
+    }
 }
 
 
@@ -166,6 +172,7 @@ Foam::flowBoundary::flowBoundary
     rotation_(u0_),
     couple_(u0_),
     pressure_(u0_),
+    curvature_(u0_),
     anyVelocity_(false),
     anyOpen_(false),
     anyPressure_(false)
