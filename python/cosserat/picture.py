@@ -1,6 +1,11 @@
-"""Pictures of a case, by matplotlib: flow, material and dye at a time.
+"""Pictures and animations of a case, by matplotlib: fields, points with their
+dye, velocity.
 
-    python3 -m cosserat.picture CASE [-time TIME] [-o FILE]
+    foamPicture CASE -field omega          # cells coloured by a field
+    foamPicture CASE -arrows -o dye.png    # points, dye and velocity
+    foamPicture CASE -animate              # all times as a GIF
+
+Fields must be ascii, and the case reconstructed where it ran in parallel.
 """
 
 import argparse
@@ -10,6 +15,7 @@ matplotlib.use("Agg")
 # pylint: disable=wrong-import-position
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.animation import FuncAnimation, PillowWriter
 from matplotlib.collections import PolyCollection
 
 from cosserat.analytic import err
@@ -210,19 +216,136 @@ def curves(lines, labels, file):
     plt.close(figure)
 
 
+def frame_of(case):
+    """Figure, axes and limits ((x, x), (y, y)) that fit the mesh."""
+    ends = np.array(case.boundary_edges())[:, :, :2]
+    low, high = ends.min(axis=(0, 1)), ends.max(axis=(0, 1))
+    margin = 0.02*(high - low).max()
+    height = 5.4*(high - low)[1]/(high - low)[0] + 0.9
+    figure, axes = plt.subplots(figsize=(6.8, min(max(height, 2.4), 9)),
+                                dpi=110)
+    return figure, axes, np.array([low - margin, high + margin]).T
+
+
+def animation(case, draw, times, file, pause=0.15):
+    """An animated GIF of the pictures that draw(axes, time) makes."""
+    figure, axes, _ = frame_of(case)
+
+    def frame(time):
+        axes.clear()
+        draw(axes, time)
+
+    made = FuncAnimation(figure, frame, frames=times, cache_frame_data=False)
+    made.save(file, writer=PillowWriter(fps=1/pause))
+    plt.close(figure)
+
+
+def drawing(case, options, limits, colours):
+    """Function (axes, time) that draws what the command line asks for."""
+    def point_size(axes, time):
+        """Points as large as their share of the picture [pt^2]."""
+        box = axes.get_window_extent().transformed(
+            axes.figure.dpi_scale_trans.inverted())
+        return 1.3*72**2*box.width*box.height/len(case.cloud("dye", time))
+
+    def draw(axes, time):
+        folder = case.path/time/"lagrangian"
+        axes.set_aspect("equal")
+        axes.set_xlim(*limits[0])
+        axes.set_ylim(*limits[1])
+        if options["field"]:
+            cells = draw_field(axes, case, options["field"], time,
+                               options["component"], colours)
+            if axes.figure.axes == [axes]:
+                axes.figure.colorbar(cells, ax=axes, label=options["field"])
+            axes.set_xlim(*limits[0])
+            axes.set_ylim(*limits[1])
+        elif folder.exists():
+            draw_points(axes, case, time, options["material"],
+                        options["size"] or point_size(axes, time))
+        draw_walls(axes, case)
+        if options["arrows"]:
+            draw_velocity(axes, case, time)
+        axes.set_xlabel("x [m]")
+        axes.set_ylabel("y [m]")
+        axes.set_title(f"t = {float(time):.4g} s")
+
+    return draw
+
+
+def field_limits(case, name, component, times):
+    """Smallest and largest value over all times, for one scale of colours."""
+    low, high = np.inf, -np.inf
+    for time in times:
+        values = case.field(name, time)
+        if values.ndim > 1:
+            values = (np.linalg.norm(values, axis=1) if component is None
+                      else values[:, component])
+        low, high = min(low, values.min()), max(high, values.max())
+    return low, high
+
+
 def main():
     """The command line."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("case")
-    parser.add_argument("-time", default=None)
-    parser.add_argument("-material", type=int, nargs="+", default=[1])
-    parser.add_argument("-o", default="snapshot.png")
-    options = parser.parse_args()
+    parser = argparse.ArgumentParser(
+        prog="foamPicture", description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("case", nargs="?", default=".")
+    parser.add_argument("-time", help="time, or latest (the default)")
+    parser.add_argument("-field", help="colour the cells by a field of the"
+                        " time folder; without it the points are drawn")
+    parser.add_argument("-component", choices="xyz",
+                        help="of a vector field; its magnitude by default")
+    parser.add_argument("-material", type=int, nargs="+",
+                        help="points of these materials, by their number in"
+                        " constant/materialProperties from 0; all by default")
+    parser.add_argument("-size", type=float,
+                        help="of a point, in points^2")
+    parser.add_argument("-arrows", action="store_true",
+                        help="draw the velocity")
+    parser.add_argument("-animate", action="store_true",
+                        help="a GIF of all times")
+    parser.add_argument("-o", help="file, picture.png or animation.gif by"
+                        " default")
+    asked = parser.parse_args()
 
-    case = Case(options.case)
-    time = options.time or case.times()[-1]
-    snapshot(case, time, options.material, options.o)
-    print(f"{options.o}: t = {time} s")
+    case = Case(asked.case)
+    if not (case.path/"constant/polyMesh/faces").exists():
+        parser.error(f"no mesh in {case.path}: run blockMesh")
+    every = case.times()
+    if not every:
+        parser.error(f"no times in {case.path} but 0: run the solver, and"
+                     " reconstructPar where it ran in parallel")
+    if asked.time in (None, "latest"):
+        asked.time = every[-1]
+    if asked.time not in every:
+        parser.error(f"no time {asked.time}; there are {' '.join(every)}")
+    times = every if asked.animate else [asked.time]
+    if asked.field and not (case.path/times[-1]/asked.field).exists():
+        names = sorted(f.name for f in (case.path/times[-1]).iterdir()
+                       if f.is_file())
+        parser.error(f"no field {asked.field} at {times[-1]};"
+                     f" there are {' '.join(names)}")
+
+    component = "xyz".index(asked.component) if asked.component else None
+    colours = None
+    if asked.field:
+        colours = field_limits(case, asked.field, component, times)
+    figure, axes, limits = frame_of(case)
+    draw = drawing(
+        case, {"field": asked.field, "component": component,
+               "material": asked.material or range(len(MATERIAL)),
+               "size": asked.size, "arrows": asked.arrows}, limits, colours)
+
+    if asked.animate:
+        file = asked.o or "animation.gif"
+        animation(case, draw, times, file)
+        print(f"{file}: {len(times)} times")
+        return
+    file = asked.o or "picture.png"
+    draw(axes, times[0])
+    figure.tight_layout()
+    figure.savefig(file)
+    print(f"{file}: t = {times[0]} s")
 
 
 if __name__ == "__main__":
