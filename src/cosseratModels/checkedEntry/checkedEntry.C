@@ -37,6 +37,18 @@ namespace Foam
         const string& allowed
     )
     {
+        // A word, such as nan, else ends in an error without it
+        const tokenList& tokens =
+            dict.lookupEntry(key, keyType::LITERAL).stream();
+
+        if (tokens.size() && tokens.last().isWord())
+        {
+            checkedEntry::refuse
+            (
+                dict, key, tokens.last().wordToken(), allowed
+            );
+        }
+
         const dimensionedScalar value(key, dims, dict);
 
         if (!std::isfinite(value.value()))
