@@ -4,12 +4,17 @@ Bounds: as measured, rounded up by a tenth; each test shows that one per cent
 of a parameter breaks them.
 """
 
+import os
+import re
+import shutil
+import subprocess
+
 import numpy as np
 import pytest
 
 from cosserat.analytic import (AnnularCouette, EccentricCylinders, Material,
                                err)
-from cosserat.case import Case, TUTORIALS
+from cosserat.case import Case, ROOT, TUTORIALS
 
 ONE_STEP = {"endTime": 1, "deltaT": 1, "adjustTimeStep": "no",
             "writeInterval": 1}
@@ -181,3 +186,39 @@ def test_eccentric_cylinders(tmp_path):
     """Triangles by gmsh against the classical solution, measured 0.99 %."""
     assert eccentric(tmp_path/"case") < 1.05e-2
     assert eccentric(tmp_path/"faster", U={"omega": 1.02}) > 1.05e-2
+
+
+def test_template_becomes_a_case(tmp_path):
+    """cp -r and Allrun, nothing else; the picture is there."""
+    shutil.copytree(TUTORIALS/"template", tmp_path/"mine", ignore=
+                    shutil.ignore_patterns("[1-9]*", "0", "log.*", "results",
+                                           "postProcessing", "polyMesh"))
+    subprocess.run(["./Allrun"], cwd=tmp_path/"mine", check=True,
+                   stdout=subprocess.DEVNULL)
+    assert (tmp_path/"mine/results/points.png").stat().st_size > 20000
+    case = Case(tmp_path/"mine")
+    assert "\nEnd\n" in case.log()
+    energy, work = lost_height(case, 1, 1600, 10)
+    assert energy == pytest.approx(work, rel=5e-3)
+
+
+@pytest.mark.parametrize("case", sorted(
+    d.name for d in TUTORIALS.iterdir() if (d/"system").is_dir()))
+def test_tutorial_is_whole(case):
+    """Page, scripts that can be run, and every picture that the page shows."""
+    folder = TUTORIALS/case
+    for name in ("Allrun", "Allrun-parallel", "Allclean"):
+        assert os.access(folder/name, os.X_OK), name
+    page = (folder/"README.md").read_text()
+    for picture in re.findall(r"\]\((\w+\.png)\)", page):
+        assert (folder/picture).exists(), picture
+
+
+@pytest.mark.parametrize("name", ["viscosityLaw", "pointVelocity",
+                                  "wallCondition"])
+def test_example_of_the_docs_applies(name):
+    """Each example is short and fits the code as it is."""
+    diff = ROOT/f"docs/examples/{name}.diff"
+    assert len(diff.read_text().splitlines()) < 100
+    subprocess.run(["patch", "--dry-run", "-p1", "-s", "-i", str(diff)],
+                   cwd=ROOT, check=True)
