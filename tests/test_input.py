@@ -1,11 +1,17 @@
 """Mistakes of a dictionary are told before the first step: file, entry, what
 was found and what is allowed; nothing of the case is changed."""
 
+import shutil
+
 import pytest
+
+from cosserat.case import TUTORIALS
 
 MATERIALS = "constant/materialProperties"
 POINTS = "constant/materialPointsProperties"
 SOLUTION = "system/fvSolution"
+CONTROL = "system/controlDict"
+GRAVITY = "constant/g"
 
 #: name: (file, pattern, replacement, words of the message)
 MISTAKES = {
@@ -16,7 +22,7 @@ MISTAKES = {
     "zero viscosity": (MATERIALS, "eta         1000;", "eta 0;",
                        ["eta", "0", "above zero"]),
     "not a number": (MATERIALS, "eta         1000;", "eta much;",
-                     ["eta", "materialProperties"]),
+                     ["eta", "much", "materialProperties"]),
     "wrong dimensions": (MATERIALS, "eta         1000;",
                          "eta [0 2 -1 0 0 0 0] 1000;",
                          ["dimensions", "eta"]),
@@ -70,7 +76,124 @@ MISTAKES = {
                             ["fixedGradient", "coupleTraction", "omega"]),
     "dimensions of omega": ("0/omega", "[0 0 -1 0 0 0 0]",
                             "[0 1 -1 0 0 0 0]", ["imension"]),
+    # Materials
+    "misspelt entry of a law": (MATERIALS, "etaC        1000;",
+                                "etaC 1000; etac 10;",
+                                ["etac", "read by nothing", "etaC",
+                                 "materialProperties"]),
+    "misspelt entry of a material": (MATERIALS, "rho             1e6;",
+                                     "rho 1e6; Rho 1;",
+                                     ["Rho", "read by nothing", "rho",
+                                      "constantCoeffs"]),
+    "missing density": (MATERIALS, "rho             1e6;", "",
+                        ["rho", "materialProperties"]),
+    "infinite density": (MATERIALS, "rho             1e6;", "rho inf;",
+                         ["rho", "inf", "materialProperties"]),
+    "no law": (MATERIALS, "viscosityLaw    constant;", "",
+               ["viscosityLaw", "materialProperties"]),
+    "no coefficients": (MATERIALS, "constantCoeffs", "coeffs",
+                        ["constantCoeffs", "materialProperties"]),
+    "no materials": (MATERIALS, "materials\n", "material\n",
+                     ["materials", "materialProperties"]),
+    "NaN": (MATERIALS, "eta         1000;", "eta nan;",
+            ["eta", "nan", "materialProperties"]),
+    "infinite": (MATERIALS, "eta         1000;", "eta inf;",
+                 ["eta", "inf", "materialProperties"]),
+    "negative Cosserat viscosity": (MATERIALS, "etaC        1000;",
+                                    "etaC -1;", ["etaC", "-1", "zero"]),
+    "missing Cosserat viscosity": (MATERIALS, "etaC        1000;", "",
+                                   ["etaC", "materialProperties"]),
+    "negative internal length": (MATERIALS, "R           $alpha;", "R -1;",
+                                 ["R", "-1", "zero"]),
+    "length of wrong dimensions": (MATERIALS, "R           $alpha;",
+                                   "R [0 0 1 0 0 0 0] 1;",
+                                   ["dimensions", "R"]),
+    "missing bulk viscosity": (MATERIALS, "B           infinite;", "",
+                               ["B", "materialProperties"]),
+    "negative bulk viscosity": (MATERIALS, "B           infinite;", "B -4;",
+                                ["B", "-4", "above zero"]),
+    "two values": (MATERIALS, "eta         1000;", "eta 1000 2000;",
+                   ["eta", "materialProperties"]),
+    "unknown variable": (MATERIALS, "$alpha", "$beta", ["beta"]),
+    "density average": (MATERIALS, "densityAverage      arithmetic;",
+                        "densityAverage median;", ["median", "arithmetic"]),
+    # Points
+    "no seeding": (POINTS, "seeding\n", "seed\n",
+                   ["seeding", "materialPointsProperties"]),
+    "no regions": (POINTS, "    regions\n", "    areas\n",
+                   ["regions", "materialPointsProperties"]),
+    "region without material": (POINTS, "material    background;", "",
+                                ["material", "materialPointsProperties"]),
+    "region without type": (POINTS, "type        all;", "",
+                            ["type", "materialPointsProperties"]),
+    "box without a corner": (POINTS, "max         (2.5 5 1);", "",
+                             ["max", "materialPointsProperties"]),
+    "corner of two numbers": (POINTS, "max         (2.5 5 1);",
+                              "max (2.5 5);", ["materialPointsProperties"]),
+    "polygon of two corners": (POINTS, "type        box;",
+                               "type polygon; points ((0 0 0) (1 0 0));",
+                               ["points", "three"]),
+    "surface that is not there": (POINTS, "type        box;",
+                                  'type surface; file "none.stl";',
+                                  ["none.stl"]),
+    "points as a word": (POINTS, "pointsPerCell   16;",
+                         "pointsPerCell many;",
+                         ["pointsPerCell", "materialPointsProperties"]),
+    "negative minimum": (POINTS, "minPointsPerCell    4;",
+                         "minPointsPerCell -4;",
+                         ["minPointsPerCell", "-4"]),
+    "unknown dye": (POINTS, "type        grid;", "type stripes;",
+                    ["stripes", "grid", "bands"]),
+    "dye of no material": (POINTS, "material    granular;\n            spacing",
+                           "material sand;\n            spacing",
+                           ["sand", "granular"]),
+    "dye without spacing": (POINTS, "spacing     0.5;", "",
+                            ["spacing", "materialPointsProperties"]),
+    # Gravity, solver, time
+    "no gravity": (GRAVITY, "value           (0 -10 0);", "",
+                   ["value", "constant/g"]),
+    "dimensions of gravity": (GRAVITY, "[0 1 -2 0 0 0 0]",
+                              "[0 1 -1 0 0 0 0]", ["imension"]),
+    "tolerance above one": (SOLUTION, "tolerance       1e-6;",
+                            "tolerance 3;", ["tolerance", "3"]),
+    "tolerance as a word": (SOLUTION, "tolerance       1e-6;",
+                            "tolerance low;", ["tolerance", "fvSolution"]),
+    "no iterations": (SOLUTION, "tolerance       1e-6;",
+                      "tolerance 1e-6; maxIter 0;", ["maxIter", "0"]),
+    "no directions": (SOLUTION, "tolerance       1e-6;",
+                      "tolerance 1e-6; nDirections 0;",
+                      ["nDirections", "0"]),
+    "unknown preconditioner": (SOLUTION, "tolerance       1e-6;",
+                               "tolerance 1e-6; preconditioner"
+                               " { preconditioner AMG; }", ["AMG", "GAMG"]),
+    "misspelt entry of the solver": (SOLUTION, "tolerance       1e-6;",
+                                     "tolerence 1e-6;",
+                                     ["tolerence", "tolerance"]),
+    "misspelt entry of the points": (POINTS, "minPointsPerCell    4;",
+                                     "minPointPerCell 4;",
+                                     ["minPointPerCell",
+                                      "minPointsPerCell"]),
+    "time step zero": (CONTROL, "deltaT          1e-06;", "deltaT 0;",
+                       ["deltaT"]),
+    "Courant number zero": (CONTROL, "adjustTimeStep  no;\n\nmaxCo           0.5;",
+                            "adjustTimeStep yes; maxCo 0;", ["maxCo"]),
+    # Fields
+    "dimensions of U": ("0/U", "[0 1 -1 0 0 0 0]", "[0 1 -2 0 0 0 0]",
+                        ["imension"]),
+    "dimensions of p_rgh": ("0/p_rgh", "[1 -1 -2 0 0 0 0]",
+                            "[0 2 -2 0 0 0 0]", ["imension"]),
+    "field of wrong size": ("0/omega", "uniform 0;",
+                            "nonuniform List<scalar> 2 (0 1);", ["omega"]),
+    "NaN in a field": ("0/U", "uniform (0 0 0)", "uniform (nan 0 0)",
+                       ["U"]),
+    "patch type of p_rgh": ("0/p_rgh", "zeroGradient;", "noSuchType;",
+                            ["noSuchType", "zeroGradient", "p_rgh"]),
 }
+
+#: Not told well yet: the run goes on, or stops without a word
+NOT_YET = {"dimensions of gravity", "misspelt entry of the solver",
+           "misspelt entry of the points", "time step zero",
+           "Courant number zero"}
 
 
 def state(case):
@@ -83,7 +206,7 @@ def state(case):
 @pytest.fixture(name="silo", scope="module")
 def silo_fixture(tmp_path_factory):
     """A meshed silo, coarse."""
-    from cosserat.case import Case, TUTORIALS
+    from cosserat.case import Case
     from test_silo import COARSE
     case = Case.copy(TUTORIALS/"silo", tmp_path_factory.mktemp("input")/"case")
     case.substitute("system/blockMeshDict", COARSE)
@@ -98,7 +221,9 @@ def test_without_a_mistake(silo):
     silo.run("cosseratPicFoam", check=True)
 
 
-@pytest.mark.parametrize("name", MISTAKES)
+@pytest.mark.parametrize("name", [
+    pytest.param(name, marks=pytest.mark.xfail(strict=True))
+    if name in NOT_YET else name for name in MISTAKES])
 def test_mistake(silo, name):
     """Non-zero exit, a message with file, entry, value, what is allowed."""
     file, pattern, replacement, words = MISTAKES[name]
@@ -119,6 +244,47 @@ def test_mistake(silo, name):
     after = state(silo)
     after[path] = before[path]
     assert after == before
+
+
+def test_variable_at_the_top_is_told(silo):
+    """An entry that nothing reads may be a variable; the log names it."""
+    done = silo.run("cosseratPicFoam")
+    line = next(line for line in done.stdout.splitlines()
+                if "nothing reads but other entries" in line)
+    assert "alpha" in line and "materialProperties" in line
+
+
+def test_mesh_of_three_dimensions(box):
+    """Front and back that are not empty."""
+    case = box(materials={"a": {"eta": 1, "etaC": 1, "R": .1}})
+    case.substitute("constant/polyMesh/boundary", {"type": "wall"})
+    for name, entry in (("U", "noSlip"), ("omega", "zeroGradient"),
+                        ("p_rgh", "zeroGradient")):
+        path = case.path/"0"/name
+        path.write_text(path.read_text().replace(
+            "#includeEtc", f"frontAndBack {{ type {entry}; }}\n#includeEtc"))
+    done = case.run("cosseratPicFoam", check=False)
+    message = done.stdout[done.stdout.index("FOAM FATAL"):]
+    assert done.returncode and "empty" in message, message
+
+
+def test_missing_field(box):
+    """A field that is not there."""
+    for name in ("U", "p_rgh", "omega"):
+        case = box(name, materials={"a": {"eta": 1, "etaC": 1, "R": .1}})
+        (case.path/"0"/name).unlink()
+        done = case.run("cosseratPicFoam", check=False)
+        message = done.stdout[done.stdout.index("FOAM FATAL"):]
+        assert done.returncode and name in message
+
+
+def test_decomposed_for_other_ranks(box):
+    """More ranks than parts of the case."""
+    case = box(materials={"a": {"eta": 1, "etaC": 1, "R": .1}})
+    shutil.copy(TUTORIALS/"silo/system/decomposeParDict", case.path/"system")
+    case.run("decomposePar")
+    done = case.run("cosseratPicFoam", ranks=3, check=False)
+    assert done.returncode and "processor" in done.stdout
 
 
 def test_net_force_on_a_floating_body(box):

@@ -10,6 +10,7 @@ SI units throughout; every function takes and returns numpy arrays.
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.special import ive, kve
 
 
 @dataclass(frozen=True)
@@ -105,6 +106,99 @@ class GravityChannel:
         """Microrotation [1/s]."""
         m = self.material
         return self.G*y/(2*m.eta) + self.B0*np.sinh(y/m.delta)
+
+
+class AnnularCouette:
+    """Ring between two cylinders r[0] < r[1] that turn, with
+
+        u_theta = A r + C/r + f (b1 I1(r/delta) - b2 K1(r/delta))
+        omega   = A + b1 I0(r/delta) + b2 K0(r/delta)
+
+    and the factor f of Material: the moment balance and the linear one along
+    theta, where ((eta + etaC) (r u),r/r - 2 etaC omega),r = 0.
+
+    speed: u_theta of the walls [m/s]; rotation: omega of the walls [1/s].
+    """
+
+    def __init__(self, material, r, speed, rotation):
+        self.material, self.r = material, r
+        rows = [self._u(s) for s in r] + [self._omega(s) for s in r]
+        self.constants = np.linalg.solve(
+            np.array(rows), np.array([*speed, *rotation]))
+
+    def _u(self, r):
+        """u_theta of unit A, C, b1, b2; the last scaled to the walls."""
+        m = self.material
+        inner, outer = np.array(self.r)/m.delta
+        s = r/m.delta
+        return [r, 1/r, m.factor*ive(1, s)*np.exp(s - outer),
+                -m.factor*kve(1, s)*np.exp(inner - s)]
+
+    def _omega(self, r):
+        """omega of unit A, C, b1, b2."""
+        inner, outer = np.array(self.r)/self.material.delta
+        s = r/self.material.delta
+        return [1 + 0*r, 0*r, ive(0, s)*np.exp(s - outer),
+                kve(0, s)*np.exp(inner - s)]
+
+    def u(self, r):
+        """Velocity along theta [m/s]."""
+        return np.tensordot(self.constants, self._u(np.asarray(r)), 1)
+
+    def omega(self, r):
+        """Microrotation [1/s]."""
+        return np.tensordot(self.constants, self._omega(np.asarray(r)), 1)
+
+
+class EccentricCylinders:
+    """Classical fluid between cylinders of radii a < b, the inner one around
+    (e, 0) turning with unit angular velocity, the outer one around the origin
+    at rest.
+
+    The stream function is the general solution of the biharmonic equation in
+    polar coordinates around the inner axis (Michell 1899), even in the angle
+    and with a single-valued pressure; its coefficients satisfy the walls in
+    the sense of least squares, which converges as (e/b)^terms.
+    """
+
+    def __init__(self, a, b, e, terms=24):
+        self.a, self.b, self.e, self.terms = a, b, e, terms
+        angle = np.linspace(0, 2*np.pi, 8*terms, endpoint=False)
+        x = np.concatenate([e + a*np.cos(angle), b*np.cos(angle)])
+        y = np.concatenate([a*np.sin(angle), b*np.sin(angle)])
+        wall = np.concatenate([np.ones(len(angle)), np.zeros(len(angle))])
+        rows = np.concatenate(self._basis(x, y), axis=1).T
+        given = np.concatenate([-y*wall, (x - e)*wall])
+        self.constants, *_ = np.linalg.lstsq(rows, given, rcond=None)
+        self.residual = np.abs(rows @ self.constants - given).max()
+
+    def _basis(self, x, y):
+        """Velocities along x and y of each term of the stream function."""
+        r, angle = np.hypot(x - self.e, y), np.arctan2(y, x - self.e)
+        u_r, u_t = [], []
+
+        def term(n, f, df):
+            # psi = f(r) cos(n angle): u_r = psi,angle/r, u_angle = -psi,r
+            u_r.append(-n*f/r*np.sin(n*angle))
+            u_t.append(-df*np.cos(n*angle))
+
+        term(0, r**2, 2*r)
+        term(0, np.log(r), 1/r)
+        term(1, r*np.log(r), np.log(r) + 1)
+        for n in range(1, self.terms):
+            # Powers scaled to the wall where they are largest
+            for k, s in ((n, self.b), (n + 2, self.b), (-n, self.a),
+                         (2 - n, self.a)):
+                if (n, k) != (1, 1) or s == self.b:
+                    term(n, (r/s)**k, k/s*(r/s)**(k - 1))
+        u_r, u_t = np.array(u_r), np.array(u_t)
+        return (u_r*np.cos(angle) - u_t*np.sin(angle),
+                u_r*np.sin(angle) + u_t*np.cos(angle))
+
+    def u(self, x, y):
+        """Velocity [m/s], shape (2, ...)."""
+        return np.array([np.tensordot(self.constants, basis, 1)
+                         for basis in self._basis(x, y)])
 
 
 class SolCx:

@@ -157,6 +157,23 @@ class Case:
         return np.array([face.mean(axis=0)
                          for face in self.patch_faces()[name][1]])
 
+    def polygons(self):
+        """Corners of each cell in the plane of the mesh: list of arrays."""
+        mesh = self.path/"constant/polyMesh"
+        points = parse_list("nonuniform List<vector> "
+                            + _body(mesh/"points"), None)
+        faces = re.findall(r"\d+\(([\d ]+)\)", _body(mesh/"faces"))
+        owner = parse_list("nonuniform List<label> " + _body(mesh/"owner"),
+                           None).astype(int)
+        cells = [None]*self.n_cells()
+        for kind, n, start in re.findall(
+                r"\{\s*type\s+(\w+);[^}]*?nFaces\s+(\d+);\s*startFace"
+                r"\s+(\d+);", (mesh/"boundary").read_text()):
+            if kind == "empty":
+                for i in range(int(start), int(start) + int(n)):
+                    cells[owner[i]] = points[np.array(faces[i].split(), int)]
+        return cells
+
     def boundary_edges(self):
         """Edges in the x-y plane of the faces of walls and openings, as
         pairs of points."""
@@ -178,6 +195,22 @@ class Case:
             rows = re.findall(r"\(([-\d.e+]+) ([-\d.e+]+) ([-\d.e+]+)\)", body)
             return np.array(rows, float).reshape(-1, 3)
         return parse_list("nonuniform List<scalar> " + body, None)
+
+    def centroid(self, material, time=None):
+        """Mean position of the points of a material (its index)."""
+        chosen = self.cloud("material", time) == material
+        return np.average(self.cloud("positions", time)[chosen], axis=0,
+                          weights=self.cloud("volume", time)[chosen])
+
+    def table(self, function, file):
+        """Rows that a function object has written, by time; of parts written
+        after a restart the later ones prevail."""
+        rows = {}
+        base = self.path/"postProcessing"/function
+        for part in sorted(base.iterdir(), key=lambda d: float(d.name)):
+            for row in np.loadtxt(part/file, ndmin=2):
+                rows[row[0]] = row
+        return np.array([rows[t] for t in sorted(rows)])
 
 
 def _body(path):

@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "checkedEntry.H"
+#include "DynamicList.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -36,6 +37,18 @@ namespace Foam
         const string& allowed
     )
     {
+        // A word, such as nan, else ends in an error without it
+        const tokenList& tokens =
+            dict.lookupEntry(key, keyType::LITERAL).stream();
+
+        if (tokens.size() && tokens.last().isWord())
+        {
+            checkedEntry::refuse
+            (
+                dict, key, tokens.last().wordToken(), allowed
+            );
+        }
+
         const dimensionedScalar value(key, dims, dict);
 
         if (!std::isfinite(value.value()))
@@ -47,6 +60,21 @@ namespace Foam
         }
 
         return value;
+    }
+
+    static wordList unread(const dictionary& dict, const wordList& allowed)
+    {
+        DynamicList<word> names;
+
+        for (const entry& e : dict)
+        {
+            if (e.keyword() != "FoamFile" && !allowed.found(e.keyword()))
+            {
+                names.append(e.keyword());
+            }
+        }
+
+        return wordList(names);
     }
 }
 
@@ -104,6 +132,43 @@ void Foam::checkedEntry::refuse
         << " is " << found.c_str() << nl
         << "    Allowed: " << allowed.c_str() << nl
         << exit(FatalIOError);
+}
+
+
+void Foam::checkedEntry::only
+(
+    const dictionary& dict,
+    const wordList& allowed
+)
+{
+    const wordList names(unread(dict, allowed));
+
+    if (names.size())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << names[0] << "' of dictionary " << dict.dictName()
+            << " is read by nothing" << nl
+            << "    Allowed: " << flatOutput(allowed) << nl
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::checkedEntry::reportUnread
+(
+    const dictionary& dict,
+    const wordList& allowed
+)
+{
+    const wordList names(unread(dict, allowed));
+
+    if (names.size())
+    {
+        Info<< "Entries of " << dict.name().name()
+            << " that nothing reads but other entries, by $: "
+            << flatOutput(names) << nl
+            << "    Others allowed: " << flatOutput(allowed) << nl << endl;
+    }
 }
 
 

@@ -31,7 +31,17 @@ Foam::material::material(const word& name, const dictionary& dict)
     name_(name),
     rho_(checkedEntry::nonNegative("rho", dimDensity, dict)),
     law_(viscosityLaw::New(dict))
-{}
+{
+    wordList allowed({"rho", "viscosityLaw"});
+
+    // Constants of laws not chosen may stay
+    for (const word& law : viscosityLaw::names())
+    {
+        allowed.append(law + "Coeffs");
+    }
+
+    checkedEntry::only(dict, allowed);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

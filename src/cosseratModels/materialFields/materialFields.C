@@ -228,6 +228,11 @@ Foam::materialFields::materialFields(const fvMesh& mesh)
     fractionsRead_(true),
     nChanges_(1)
 {
+    checkedEntry::reportUnread
+    (
+        dict_, {"materials", "viscosityAverage", "densityAverage"}
+    );
+
     forAll(alphas_, m)
     {
         IOobject io

@@ -43,6 +43,8 @@ Foam::viscosityLaws::constant::constant(const dictionary& coeffs)
 :
     viscosityLaw(coeffs)
 {
+    checkedEntry::only(coeffs, {"eta", "etaC", "R", "M", "B"});
+
     eta_ = checkedEntry::positive("eta", eta_.dimensions(), coeffs);
     etaC_ = checkedEntry::nonNegative("etaC", etaC_.dimensions(), coeffs);
 

@@ -50,6 +50,11 @@ Foam::viscosityLaws::granularContact::granularContact
     using checkedEntry::positive;
     using checkedEntry::nonNegative;
 
+    checkedEntry::only
+    (
+        coeffs, {"n", "k", "eta_n", "eta_m", "R", "compressible"}
+    );
+
     const dimensionedScalar n(nonNegative("n", dimless, coeffs));
     const dimensionedScalar k(positive("k", dimless, coeffs));
     const dimensionedScalar R(nonNegative("R", dimLength, coeffs));

@@ -57,4 +57,10 @@ Foam::autoPtr<Foam::viscosityLaw> Foam::viscosityLaw::New
 }
 
 
+Foam::wordList Foam::viscosityLaw::names()
+{
+    return dictionaryConstructorTablePtr_->sortedToc();
+}
+
+
 // ************************************************************************* //
