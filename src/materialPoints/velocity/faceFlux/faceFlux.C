@@ -192,11 +192,10 @@ Foam::pointVelocities::faceFlux::faceFlux
     start_(U.size() + 1, Zero)
 {
     const fvMesh& mesh = U.mesh();
-    const Vector<label>& dirs = mesh.geometricD();
-    const direction normal = dirs.x() < 0 ? 0 : dirs.y() < 0 ? 1 : 2;
-    i0_ = (normal + 1) % 3;
-    i1_ = (normal + 2) % 3;
-    depth_ = mesh.bounds().span()[normal];
+    const labelPair axes(planarCells::axes(mesh));
+    i0_ = axes.first();
+    i1_ = axes.second();
+    depth_ = mesh.bounds().span()[3 - i0_ - i1_];
 
     const planarCells cells(mesh);
     List<pointField> corners(mesh.nCells());
