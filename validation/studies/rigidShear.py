@@ -61,15 +61,12 @@ def draw(rows):
         top = max(row[key] for row in rows)
         for order in (1, 2):
             axis.loglog(CELLS, [1.6*top*(CELLS[0]/n)**order for n in CELLS],
-                        ":", color="grey", lw=order)
+                        ":", color="grey", lw=order, label=f"order {order}")
         cell_ticks(axis, CELLS)
         axis.set_xlabel("cells along a side")
         axis.set_ylabel(f"error of {label}, relative L2")
         axis.grid(alpha=0.3)
-    axes[0].legend(fontsize=7)
-    axes[1].plot([], [], ":", color="grey", lw=1, label="order 1")
-    axes[1].plot([], [], ":", color="grey", lw=2, label="order 2")
-    axes[1].legend(fontsize=7, handles=axes[1].lines[-2:])
+    axes[1].legend(fontsize=7, loc="lower left")
     save(figure, "rigidShear")
     plt.close(figure)
 
