@@ -31,9 +31,13 @@ Foam::autoPtr<Foam::pointAverage> Foam::pointAverage::New
     const dictionary& dict
 )
 {
-    const word averageType(dict.getOrDefault<word>("average", "linearLeastSquares"));
+    const word averageType
+    (
+        dict.getOrDefault<word>("average", "linearLeastSquares")
+    );
 
-    auto constructor = selectedConstructor(pointAverage, dictionary, averageType);
+    auto constructor =
+        selectedConstructor(pointAverage, dictionary, averageType);
 
     if (!constructor)
     {

@@ -33,9 +33,13 @@ Foam::autoPtr<Foam::flowCoupling> Foam::flowCoupling::New
     const surfaceScalarField& phi
 )
 {
-    const word couplingType(dict.getOrDefault<word>("coupling", "extrapolated"));
+    const word couplingType
+    (
+        dict.getOrDefault<word>("coupling", "extrapolated")
+    );
 
-    auto constructor = selectedConstructor(flowCoupling, dictionary, couplingType);
+    auto constructor =
+        selectedConstructor(flowCoupling, dictionary, couplingType);
 
     if (!constructor)
     {

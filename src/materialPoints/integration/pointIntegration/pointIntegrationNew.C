@@ -32,9 +32,13 @@ Foam::autoPtr<Foam::pointIntegration> Foam::pointIntegration::New
     const dictionary& dict
 )
 {
-    const word scheme(dict.getOrDefault<word>("integration", "RK2"));
+    const word scheme
+    (
+        dict.getOrDefault<word>("integration", "RK2")
+    );
 
-    auto constructor = selectedConstructor(pointIntegration, dictionary, scheme);
+    auto constructor =
+        selectedConstructor(pointIntegration, dictionary, scheme);
 
     if (!constructor)
     {
