@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from cosserat.analytic import (GravityChannel, Material, ShearLayer,
-                               granular_contact, wall_velocity_no_rotation)
+from cosserat.analytic import (GravityChannel, Material, RigidShear,
+                               ShearLayer, granular_contact,
+                               wall_velocity_no_rotation)
 
 MATERIALS = [Material(1, 1, 0.3), Material(2, 0.5, 0.1), Material(1, 7, 0.4)]
 CASES = [{"V": 1, "Omega": 0.3}, {"sigma": 2, "Omega": -0.2},
@@ -80,3 +81,33 @@ def test_granular_contact():
     """The paper's constants give eta = etaC = 2e5/pi MPa s."""
     eta, etaC, B = granular_contact(0, 4, 1e11, 1e11)
     assert np.allclose([eta, etaC, B], 2e11/np.pi, rtol=1e-14)
+
+
+def test_rigid_shear():
+    """Both balances, walls without flow through them or traction along them,
+    and a density that the flow does not change."""
+    h = 1e-3
+    x, y = np.random.default_rng(1).uniform(-0.5, 0.5, (2, 200))
+
+    def d(f, i, x=x, y=y):
+        step = h*np.eye(2)[i]
+        return (f(x + step[0], y + step[1])
+                - f(x - step[0], y - step[1]))/(2*h)
+
+    def laplacian(f):
+        return sum(f(x + h*a, y + h*b) - f(x, y)
+                   for a, b in ((1, 0), (-1, 0), (0, 1), (0, -1)))/h**2
+
+    exact = RigidShear()
+    du, dv = [np.array([d(lambda x, y, k=k: exact.u(x, y)[k], i)
+                        for i in (0, 1)]) for k in (0, 1)]
+    assert np.allclose(du[0] + dv[1], 0, atol=1e-9)
+    for i in (0, 1):
+        balance = (laplacian(lambda x, y, i=i: exact.u(x, y)[i])
+                   - d(exact.p, i) + exact.force(x, y)[i])
+        assert np.abs(balance).max() < 1e-3
+    assert np.allclose(du[1] + dv[0], 0, atol=1e-9)
+    assert np.allclose(exact.u(0.5 + 0*y, y)[0], 0, atol=1e-12)
+    assert np.allclose(exact.u(x, 0.5 + 0*x)[1], 0, atol=1e-12)
+    flux = exact.u(x, y)*np.array([d(exact.density, i) for i in (0, 1)])
+    assert np.allclose(flux.sum(axis=0), 0, atol=1e-5)

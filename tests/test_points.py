@@ -3,21 +3,11 @@
 import numpy as np
 import pytest
 
+from cosserat.box import add_points
+from studies.pointIntegration import ring
+
 TURN = {"left": ("exact", "exact"), "right": ("exact", "exact"),
         "bottom": ("exact", "exact"), "top": ("exact", "exact")}
-
-
-def add_points(case, regions, dye="", **entries):
-    """Give a box case material points."""
-    text = "\n".join(f"{key} {value};" for key, value in entries.items())
-    (case.path/"constant/materialPointsProperties").write_text(f"""
-FoamFile {{ version 2.0; format ascii; class dictionary; object x; }}
-seeding {{ pointsPerCell {entries.pop('pointsPerCell', 16)};
-    regions ({regions}); dye ({dye}); }}
-{text}
-""")
-    for alpha in (case.path/"0").glob("alpha.*"):
-        alpha.unlink()
 
 
 def rotating(box, target, scheme, steps, velocity="conservativeLinear"):
@@ -53,6 +43,18 @@ def test_linear_velocity_is_exact(box, velocity):
     """Both second-order velocities have a linear field exactly, so RK4 turns
     the points back to 1e-5."""
     assert rotating(box, "turn", "RK4", 80, velocity) < 1e-5
+
+
+def test_linear_velocity_is_exact_on_triangles(tmp_path):
+    """conservativeLinear is linear in triangles; faceFlux is not."""
+    def miss(velocity):
+        parameters = {"velocity": velocity, "triangles": True}
+        start, chosen = ring(tmp_path/"start", "RK4", 1e-12, 1, **parameters)
+        xy, _ = ring(tmp_path/velocity, "RK4", 1, 80, **parameters)
+        return np.hypot(*(xy - start)[chosen].T).max()
+
+    assert miss("conservativeLinear") < 1e-5
+    assert miss("faceFlux") > 1e-3
 
 
 def test_first_order_velocity_is_not(box):

@@ -280,6 +280,44 @@ class SolCx:
         return np.array([0*x, np.sin(np.pi*(y + 0.5))*np.cos(np.pi*(x + 0.5))])
 
 
+class RigidShear:
+    """Benchmark of the averages of points (Gassmoeller et al. 2019,
+    doi 10.1093/gji/ggz405): free-slip walls at |x| = |y| = 1/2, eta = 1,
+    density 2 + sin(pi X) sin(pi Y) with X = x + 1/2, Y = y + 1/2, and a
+    gravity such that
+
+    u = (sin(pi X) cos(pi Y), -cos(pi X) sin(pi Y)),
+    p = 2 pi cos(pi X) cos(pi Y).
+
+    u is its own Laplacian times -1/(2 pi^2), so that grad p - div grad u =
+    (0, -4 pi^2 cos(pi X) sin(pi Y)). Density and stream function go together,
+    so the flow is steady.
+    """
+
+    @staticmethod
+    def u(x, y):
+        """Velocity [m/s], shape (2, ...)."""
+        X, Y = np.pi*(x + 0.5), np.pi*(y + 0.5)
+        return np.array([np.sin(X)*np.cos(Y), -np.cos(X)*np.sin(Y)])
+
+    @staticmethod
+    def p(x, y):
+        """Pressure [Pa], of mean zero."""
+        X, Y = np.pi*(x + 0.5), np.pi*(y + 0.5)
+        return 2*np.pi*np.cos(X)*np.cos(Y)
+
+    @staticmethod
+    def density(x, y):
+        """Density [kg/m3]."""
+        return 2 + np.sin(np.pi*(x + 0.5))*np.sin(np.pi*(y + 0.5))
+
+    @staticmethod
+    def force(x, y):
+        """Body force [N/m3], shape (2, ...)."""
+        X, Y = np.pi*(x + 0.5), np.pi*(y + 0.5)
+        return np.array([0*x, -4*np.pi**2*np.cos(X)*np.sin(Y)])
+
+
 class Manufactured:
     """Solution made up on a box bent to a shape: eta, etaC and M vary
     smoothly by the fraction of a material, loads follow from the balances.

@@ -18,6 +18,19 @@ SIDES = {"left": "(0 4 7 3)", "right": "(1 2 6 5)",
          "bottom": "(0 1 5 4)", "top": "(3 7 6 2)"}
 
 
+def add_points(case, regions, dye="", pointsPerCell=16, **entries):
+    """Give a case material points, and take away its fractions; entries are
+    those of materialPointsProperties."""
+    text = "\n".join(f"{key} {value};" for key, value in entries.items())
+    (case.path/"constant/materialPointsProperties").write_text(f"""
+FoamFile {{ version 2.0; format ascii; class dictionary; object x; }}
+seeding {{ pointsPerCell {pointsPerCell}; regions ({regions}); dye ({dye}); }}
+{text}
+""")
+    for alpha in (case.path/"0").glob("alpha.*"):
+        alpha.unlink()
+
+
 class Box:
     """Unit square [-1/2, 1/2]^2, n x n cells; xmin moves its left side, and
     leaves cells away.

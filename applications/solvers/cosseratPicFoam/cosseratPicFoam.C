@@ -31,8 +31,9 @@ Description
     Muehlhaus and Moresi (2001), "A particle-in-cell formulation for large
     deformation in Cosserat continua".
 
-    Each step: move the points, average them onto the mesh, solve for
-    velocity, pressure and microrotation. What is written at a time belongs to
+    Each step: move the points (with the flow at mid-step solved first, if the
+    points are coupled so), average them onto the mesh, solve for velocity,
+    pressure and microrotation. What is written at a time belongs to
     that time, flow and points alike.
 
 Usage
@@ -97,11 +98,15 @@ int main(int argc, char *argv[])
 
         if (points.valid())
         {
-            points->move(runTime.deltaTValue());
-            if (materials.parts().has(sceneParts::AVERAGES))
+            if (points->predicts())
             {
-                points->average(materials.fractions());
+                Info<< "Flow at mid-step" << endl;
+                points->predict(runTime.deltaTValue(), materials.fractions());
+                materials.correct();
+                flow.solve();
             }
+            points->move(runTime.deltaTValue());
+            points->average(materials.fractions());
             points->report();
         }
 

@@ -22,7 +22,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointCloud.H"
-#include "cellMean.H"
 #include "ListOps.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -63,9 +62,11 @@ Foam::materialPointCloud::materialPointCloud
     materials_(materials),
     dict_(propertiesIO(mesh_)),
     seeding_(mesh_, materials, dict_.subDict("seeding")),
-    integration_(dict_),
+    integration_(pointIntegration::New(dict_)),
+    average_(pointAverage::New(dict_)),
+    coupling_(flowCoupling::New(dict_, U, phi)),
     population_(mesh_, dict_, seeding_.pointsPerCell()),
-    velocity_(pointVelocity::New(dict_, U, phi)),
+    velocity_(pointVelocity::New(dict_, coupling_->U(), coupling_->phi())),
     nLeft_(0),
     volumeLeft_(0),
     nAdded_(0)
@@ -84,7 +85,9 @@ Foam::materialPointCloud::materialPointCloud
     Info<< "Material points: " << nPoints()
         << (restart ? " read" : " seeded")
         << ", velocity " << pointVelocity::name(dict_)
-        << ", integration " << integration_.name()
+        << ", integration " << integration_->type()
+        << ", coupling " << coupling_->type()
+        << ", average " << average_->type()
         << ", minPointsPerCell " << population_.minPointsPerCell()
         << nl << endl;
 }
@@ -121,7 +124,7 @@ Foam::label Foam::materialPointCloud::findMaterial
 }
 
 
-void Foam::materialPointCloud::move(const scalar dt)
+void Foam::materialPointCloud::track(const scalar dt)
 {
     velocity_->update();
 
@@ -130,7 +133,7 @@ void Foam::materialPointCloud::move(const scalar dt)
         p.startStep();
     }
 
-    materialPoint::trackingData td(*this, *velocity_, integration_, dt);
+    materialPoint::trackingData td(*this, *velocity_, *integration_, dt);
     Cloud<materialPoint>::move(*this, td, dt);
 
     nLeft_ += returnReduce(td.nLeft, sumOp<label>());
@@ -139,12 +142,62 @@ void Foam::materialPointCloud::move(const scalar dt)
 }
 
 
+void Foam::materialPointCloud::predict
+(
+    const scalar dt,
+    PtrList<volScalarField>& fractions
+)
+{
+    PtrList<materialPoint> start(this->size());
+    label i = 0;
+    for (const materialPoint& p : *this)
+    {
+        start.set(i++, new materialPoint(p));
+    }
+    const label nLeft = nLeft_, nAdded = nAdded_;
+    const scalar volumeLeft = volumeLeft_;
+
+    coupling_->update(dt);
+    track(0.5*dt);
+    average(fractions);
+
+    this->clear();
+    forAll(start, i)
+    {
+        addParticle(start.set(i, nullptr).ptr());
+    }
+    nLeft_ = nLeft;
+    nAdded_ = nAdded;
+    volumeLeft_ = volumeLeft;
+}
+
+
+void Foam::materialPointCloud::move(const scalar dt)
+{
+    coupling_->update(dt);
+    track(dt);
+}
+
+
 void Foam::materialPointCloud::average
 (
     PtrList<volScalarField>& fractions
 ) const
 {
-    cellMean::average(*this, fractions);
+    // A scene of one material has none
+    if (fractions.size())
+    {
+        average_->fractions(*this, fractions);
+    }
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::materialPointCloud::average
+(
+    const UList<scalar>& values
+) const
+{
+    return average_->average(*this, values);
 }
 
 

@@ -58,29 +58,25 @@ Foam::pointField Foam::planarCells::corners(const label celli) const
 }
 
 
+Foam::labelPair Foam::planarCells::axes(const polyMesh& mesh)
+{
+    const Vector<label>& dirs = mesh.geometricD();
+    const label normal = dirs.x() < 0 ? 0 : dirs.y() < 0 ? 1 : 2;
+
+    return labelPair((normal + 1) % 3, (normal + 2) % 3);
+}
+
+
 bool Foam::planarCells::contains
 (
+    const labelPair& axes,
     const UList<point>& corners,
     const point& p
 )
 {
     // On the same side of all edges would do for a convex polygon only:
-    // count crossings of a ray in the two directions that vary most
-    vector size(Zero);
-    for (const point& corner : corners)
-    {
-        size = max(size, cmptMag(corner - corners[0]));
-    }
-    direction i0 = 0, i1 = 1;
-    if (size.x() <= min(size.y(), size.z()))
-    {
-        i0 = 1;
-        i1 = 2;
-    }
-    else if (size.y() <= size.z())
-    {
-        i1 = 2;
-    }
+    // count crossings of a ray
+    const direction i0 = axes.first(), i1 = axes.second();
 
     bool inside = false;
     forAll(corners, i)

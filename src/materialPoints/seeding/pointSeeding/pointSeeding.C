@@ -61,19 +61,16 @@ Foam::pointField Foam::pointSeeding::places
     // fill a square evenly
     const scalar plastic = 1.32471795724474602596;
     const vector size(upper - lower);
-    const direction normal =
-        size.x() <= min(size.y(), size.z()) ? 0
-      : size.y() <= size.z() ? 1 : 2;
+    const labelPair axes(planarCells::axes(mesh_));
+    const direction i0 = axes.first(), i1 = axes.second();
 
     for (label i = 0, trial = 1; i < n; ++trial)
     {
         point p(lower);
-        p[(normal + 1) % 3] +=
-            size[(normal + 1) % 3]*std::fmod(0.5 + trial/plastic, 1);
-        p[(normal + 2) % 3] +=
-            size[(normal + 2) % 3]*std::fmod(0.5 + trial/sqr(plastic), 1);
+        p[i0] += size[i0]*std::fmod(0.5 + trial/plastic, 1);
+        p[i1] += size[i1]*std::fmod(0.5 + trial/sqr(plastic), 1);
 
-        if (planarCells::contains(corners, p))
+        if (planarCells::contains(axes, corners, p))
         {
             places[i++] = p;
         }

@@ -22,8 +22,11 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "conservativeLinear.H"
-#include "gaussGrad.H"
+#include "leastSquaresGrad.H"
 #include "linear.H"
+#include "wallPolyPatch.H"
+#include "symmetryPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -63,19 +66,24 @@ void Foam::pointVelocities::conservativeLinear::update()
     (
         linearInterpolate
         (
-            fv::gaussGrad<vector>::gradf(linearInterpolate(U_)(), "gradU")()
+            fv::leastSquaresGrad<vector>(mesh).calcGrad(U_, "gradU")()
         )
     );
 
-    // On walls the normal velocity does not change along the face
     tensorField all(mesh.nFaces(), Zero);
     SubList<tensor>(all, mesh.nInternalFaces()) = grad.primitiveField();
     forAll(grad.boundaryField(), patchi)
     {
-        if (mesh.boundary()[patchi].coupled())
+        const polyPatch& pp = mesh.boundaryMesh()[patchi];
+        if
+        (
+            !isA<wallPolyPatch>(pp)
+         && !isA<symmetryPolyPatch>(pp)
+         && !isA<symmetryPlanePolyPatch>(pp)
+        )
         {
             const tensorField& gradp = grad.boundaryField()[patchi];
-            const label start = mesh.boundaryMesh()[patchi].start();
+            const label start = pp.start();
             forAll(gradp, i)
             {
                 all[start + i] = gradp[i];

@@ -117,14 +117,28 @@ Foam::vector Foam::pointVelocities::faceFlux::inTriangle
 ) const
 {
     const label s = start_[celli];
-    const vector a(corners_[s + 1] - corners_[s]);
-    const vector b(corners_[s + 2] - corners_[s]);
-    const scalar twoA = a[i0_]*b[i1_] - a[i1_]*b[i0_];
+    auto edge = [&](const label i)
+    {
+        return corners_[s + (i + 1) % 3] - corners_[s + i % 3];
+    };
+    auto cross = [&](const vector& a, const vector& b)
+    {
+        return a[i0_]*b[i1_] - a[i1_]*b[i0_];
+    };
+    const scalar twoA = cross(edge(0), edge(1));
 
+    // The fluxes of the two edges at a corner give the velocity there, which
+    // is linear between the corners
     vector U(Zero);
     for (label i = 0; i < 3; ++i)
     {
-        U += flux_[s + i]/twoA*(p - corners_[s + (i + 2) % 3]);
+        const label k = (i + 2) % 3;
+        const vector corner
+        (
+            (flux_[s + i] - 0.5*slope_[s + i])*edge(k)
+          - (flux_[s + k] + 0.5*slope_[s + k])*edge(i)
+        );
+        U += cross(edge(i + 1), p - corners_[s + (i + 1) % 3])/sqr(twoA)*corner;
     }
     return U;
 }
@@ -192,11 +206,10 @@ Foam::pointVelocities::faceFlux::faceFlux
     start_(U.size() + 1, Zero)
 {
     const fvMesh& mesh = U.mesh();
-    const Vector<label>& dirs = mesh.geometricD();
-    const direction normal = dirs.x() < 0 ? 0 : dirs.y() < 0 ? 1 : 2;
-    i0_ = (normal + 1) % 3;
-    i1_ = (normal + 2) % 3;
-    depth_ = mesh.bounds().span()[normal];
+    const labelPair axes(planarCells::axes(mesh));
+    i0_ = axes.first();
+    i1_ = axes.second();
+    depth_ = mesh.bounds().span()[3 - i0_ - i1_];
 
     const planarCells cells(mesh);
     List<pointField> corners(mesh.nCells());

@@ -45,6 +45,7 @@ Foam::pointRegions::polygon::polygon
     const polyMesh& mesh
 )
 :
+    axes_(planarCells::axes(mesh)),
     points_(dict.get<List<point>>("points"))
 {
     if (points_.size() < 3)
@@ -60,7 +61,7 @@ Foam::pointRegions::polygon::polygon
 
 bool Foam::pointRegions::polygon::contains(const point& p) const
 {
-    return planarCells::contains(points_, p);
+    return planarCells::contains(axes_, points_, p);
 }
 
 

@@ -21,34 +21,14 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "pointIntegration.H"
+#include "flowCoupling.H"
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-Foam::pointIntegration::pointIntegration(const dictionary& dict)
-:
-    name_(dict.getOrDefault<word>("integration", "RK2"))
+namespace Foam
 {
-    if (name_ == "Euler")
-    {
-        b_ = {1.0};
-    }
-    else if (name_ == "RK2")
-    {
-        a_ = {0.5};
-        b_ = {0.0, 1.0};
-    }
-    else if (name_ == "RK4")
-    {
-        a_ = {0.5, 0.5, 1.0};
-        b_ = {1.0/6.0, 1.0/3.0, 1.0/3.0, 1.0/6.0};
-    }
-    else
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'integration' is " << name_ << nl
-            << "    Allowed: Euler, RK2, RK4" << exit(FatalIOError);
-    }
+    defineTypeNameAndDebug(flowCoupling, 0);
+    defineRunTimeSelectionTable(flowCoupling, dictionary);
 }
 
 

@@ -21,54 +21,32 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "cellMean.H"
-#include "materialPointCloud.H"
+#include "frozen.H"
+#include "addToRunTimeSelectionTable.H"
 
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
-void Foam::cellMean::average
-(
-    const materialPointCloud& cloud,
-    PtrList<volScalarField>& fractions
-)
+namespace Foam
 {
-    if (fractions.empty())
-    {
-        return;
-    }
-
-    scalarField total(cloud.pMesh().nCells(), Zero);
-    for (volScalarField& alpha : fractions)
-    {
-        alpha.primitiveFieldRef() = 0;
-    }
-
-    for (const materialPoint& p : cloud)
-    {
-        fractions[p.material()][p.cell()] += p.volume();
-        total[p.cell()] += p.volume();
-    }
-
-    forAll(total, celli)
-    {
-        if (total[celli] <= 0)
-        {
-            FatalErrorInFunction
-                << "Cell " << celli << " at "
-                << cloud.pMesh().cellCentres()[celli]
-                << " has no material point, time "
-                << cloud.pMesh().time().timeName() << nl
-                << "    Cures: more pointsPerCell or minPointsPerCell, a"
-                << " smaller maxCo" << exit(FatalError);
-        }
-    }
-
-    for (volScalarField& alpha : fractions)
-    {
-        alpha.primitiveFieldRef() /= total;
-        alpha.correctBoundaryConditions();
-    }
+namespace flowCouplings
+{
+    defineTypeNameAndDebug(frozen, 0);
+    addToRunTimeSelectionTable(flowCoupling, frozen, dictionary);
 }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::flowCouplings::frozen::frozen
+(
+    const dictionary& dict,
+    const volVectorField& U,
+    const surfaceScalarField& phi
+)
+:
+    flowCoupling(U, phi)
+{}
 
 
 // ************************************************************************* //
