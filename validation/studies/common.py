@@ -16,7 +16,8 @@ from cosserat.case import TUTORIALS, Case, environment, residuals
 
 NAMES = ["convergence", "significance", "internalLength", "longShear",
          "siloDischarge", "granularContact", "invariants", "manufactured",
-         "extremes", "solveCost"]
+         "extremes", "solveCost", "rayleighTaylor", "siloVolume",
+         "pointCost", "freeSurface"]
 
 HERE = Path(__file__).resolve().parents[1]
 RESULTS = HERE/"results"

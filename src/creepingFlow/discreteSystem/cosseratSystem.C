@@ -557,6 +557,7 @@ Foam::cosseratSystem::cosseratSystem
     boundary_(boundary),
     materials_(materials),
     load_(mesh),
+    stabilisation_(mesh, frame, halo),
     cosserat_(materials.cosserat()),
     compressible_(materials.compressible()),
     nonOrthogonal_(false),
@@ -647,6 +648,7 @@ void Foam::cosseratSystem::update()
     setFaceCoefficients();
     setGravity();
     setLoad();
+    stabilisation_.update(materials_.rho(), gravity());
 }
 
 
@@ -690,6 +692,14 @@ void Foam::cosseratSystem::velocityBlock
         if (kind == flowBoundary::VELOCITY)
         {
             diag[own_[f]] += Kt_[f]*(1 - nn);
+        }
+    }
+
+    if (stabilisation_.active())
+    {
+        for (label celli = 0; celli < nCells_; ++celli)
+        {
+            diag[celli] += V_[celli]*stabilisation_.diagonal(celli, cmpt);
         }
     }
 }

@@ -66,9 +66,10 @@ Foam::materialPointCloud::materialPointCloud
     integration_(dict_),
     population_(mesh_, dict_, seeding_.pointsPerCell()),
     velocity_(pointVelocity::New(dict_, U, phi)),
-    nLeft_(0),
-    volumeLeft_(0),
-    nAdded_(0)
+    phi_(phi),
+    inflow_(mesh_, materials, dict_, seeding_.pointsPerCell()),
+    exchange_(mesh_, dict_),
+    account_()
 {
     // ParaView and other readers look for positions, this code for coordinates
     particle::writeLagrangianPositions = true;
@@ -86,7 +87,19 @@ Foam::materialPointCloud::materialPointCloud
         << ", velocity " << pointVelocity::name(dict_)
         << ", integration " << integration_.name()
         << ", minPointsPerCell " << population_.minPointsPerCell()
+        << ", maxPointsPerCell ";
+    if (population_.maxPointsPerCell())
+    {
+        Info<< population_.maxPointsPerCell();
+    }
+    else
+    {
+        Info<< "none";
+    }
+    Info<< ", volumeExchange " << Switch(exchange_.active())
         << nl << endl;
+
+    account_.open(*this);
 }
 
 
@@ -133,9 +146,18 @@ void Foam::materialPointCloud::move(const scalar dt)
     materialPoint::trackingData td(*this, *velocity_, integration_, dt);
     Cloud<materialPoint>::move(*this, td, dt);
 
-    nLeft_ += returnReduce(td.nLeft, sumOp<label>());
-    volumeLeft_ += returnReduce(td.volumeLeft, sumOp<scalar>());
-    nAdded_ += population_.refill(*this);
+    label nIn = 0;
+    scalar volumeIn = 0;
+    inflow_.enter(*this, *velocity_, phi_, dt, nIn, volumeIn);
+
+    const label nAdded = population_.refill(*this);
+    const label nDeleted = population_.thin(*this);
+    exchange_.apply(*this);
+
+    account_.close
+    (
+        *this, nIn, volumeIn, nAdded, nDeleted, td.nOut, td.volumeOut
+    );
 }
 
 
@@ -156,9 +178,7 @@ Foam::label Foam::materialPointCloud::nPoints() const
 
 void Foam::materialPointCloud::report() const
 {
-    Info<< "Material points: " << nPoints() << " inside, " << nAdded_
-        << " added and " << nLeft_ << " left (" << volumeLeft_
-        << " m3) since the start" << endl;
+    account_.report(*this);
 }
 
 

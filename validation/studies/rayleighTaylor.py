@@ -1,0 +1,159 @@
+"""Rayleigh-Taylor instability of van Keken et al. (1997), J. Geophys. Res. 102,
+22477: a light layer below a heavy one in a box of 0.9142 x 1, their interface
+at 0.2 + 0.02 cos(pi x/0.9142), no slip below and above, free slip at the
+sides. Viscosity 1 above, `ratio` below; a density difference and gravity of 1.
+"""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from cosserat.analytic import rayleigh_taylor_growth
+from cosserat.box import Box
+from cosserat.picture import snapshot
+from studies.common import HERE, cpu_seconds, save
+
+WIDTH = 0.9142
+
+#: ratio: (time of the end, largest time step, peak of v_rms, its time), the
+#: latter two as published
+SCENES = {1: (260, 2.0, 3.09e-3, 209),
+          0.1: (95, 0.5, 9.46e-3, 72),
+          0.01: (65, 0.25, 1.46e-2, 50)}
+
+CELLS = [32, 64, 96]
+
+#: Published growth rate of ratio 1; the rest is linear theory
+GROWTH = 0.01094
+
+
+class Tank(Box):
+    """The box, n x n cells."""
+
+    def mesh(self):
+        super().mesh()
+        path = self.case.path/"system/blockMeshDict"
+        text = path.read_text()
+        for corner in ((0, 0), (1, 0), (1, 1), (0, 1)):
+            text = text.replace(f"({corner[0] - .5} {corner[1] - .5} ",
+                                f"({WIDTH*corner[0]} {corner[1]} ")
+        path.write_text(text)
+
+
+def scene(path, ratio, n, end, max_step, **entries):
+    """The case with its points; entries are those of the points."""
+    still = ("type noSlip;", "type zeroGradient;")
+    light, heavy = ({"eta": eta, "etaC": 0, "R": 0, "rho": rho}
+                    for eta, rho in ((ratio, 0), (1, 1)))
+    tank = Tank(path, n=n, g=(0, -1, 0), tolerance=1e-6,
+                materials={"light": light, "heavy": heavy},
+                fractions=lambda x, y: 0*x,
+                walls={"bottom": still, "top": still})
+    case = tank.write()
+    for name in ("light", "heavy"):
+        (case.path/f"0/alpha.{name}").unlink()
+    more = "\n".join(f"{key} {value};" for key, value in entries.items())
+    tank.file("constant/materialPointsProperties", f"""
+seeding
+{{
+    pointsPerCell 16;
+    regions
+    (
+        {{ type all; material heavy; }}
+        {{
+            type belowInterface; material light;
+            along (1 0 0); up (0 1 0);
+            height sine;
+            heightCoeffs
+            {{
+                frequency {0.5/WIDTH!r}; t0 {-WIDTH/2!r};
+                amplitude 0.02; scale 1; level 0.2;
+            }}
+        }}
+    );
+}}
+{more}
+""")
+    case.substitute("system/controlDict", {
+        "endTime": end, "deltaT": max_step, "writeInterval": end/4})
+    path = case.path/"system/controlDict"
+    path.write_text(path.read_text().replace(
+        "writeControl        timeStep", "writeControl adjustableRunTime").replace(
+        "functions\n{", f"""adjustTimeStep yes; maxCo 0.5; maxDeltaT {max_step};
+functions
+{{
+    square {{ type magSqr; libs (fieldFunctionObjects); field U; }}
+    mean {{ type volFieldValue; libs (fieldFunctionObjects); operation volAverage;
+        regionType all; fields (magSqr(U)); writeFields no; log no; }}"""))
+    return case
+
+
+def speeds(case):
+    """Rows of time and root mean square of the velocity."""
+    rows = np.loadtxt(
+        case.path/"postProcessing/mean/0/volFieldValue.dat", ndmin=2)
+    return np.column_stack((rows[:, 0], np.sqrt(rows[:, 1])))
+
+
+def figures(rows, growing):
+    """Growth rate over the first `growing` time units, highest speed until
+    it falls and its time, both by parabolas."""
+    early = rows[:, 0] <= growing
+    growth = np.polyfit(rows[early, 0], np.log(rows[early, 1]), 2)[1]
+    top = int(np.argmax(rows[:, 1]))
+    near = rows[np.abs(rows[:, 0] - rows[top, 0]) < 0.04*rows[top, 0]]
+    a, b, c = np.polyfit(near[:, 0] - rows[top, 0], near[:, 1], 2)
+    return growth, c - b**2/(4*a), rows[top, 0] - b/(2*a)
+
+
+def run(ratio, n):
+    """The case of one run and its row."""
+    end, max_step, _, _ = SCENES[ratio]
+    case = scene(HERE/f"runs/rayleighTaylor/{ratio}-{n}", ratio, n, end,
+                 max_step)
+    case.run("cosseratPicFoam")
+    exact = rayleigh_taylor_growth(ratio)
+    growth, highest, when = figures(speeds(case), 0.25/exact)
+    return case, {"ratio": ratio, "n": n, "growth": float(growth),
+                  "linearGrowth": float(exact), "vrmsMax": float(highest),
+                  "tMax": float(when), "steps": len(speeds(case)),
+                  "cpu": cpu_seconds(case.log())}
+
+
+def draw(cases):
+    """Speed against time, and the materials at the finest mesh."""
+    finest = {ratio: cases[ratio, max(n for r, n in cases if r == ratio)]
+              for ratio in SCENES}
+    figure, axes = plt.subplots(1, 4, figsize=(13, 3.6), dpi=130)
+    for i, (ratio, (end, _, highest, when)) in enumerate(SCENES.items()):
+        for (own, n), case in cases.items():
+            if own == ratio:
+                axes[0].plot(*speeds(case).T, color=f"C{i}",
+                             lw=1.6 if case is finest[ratio] else 0.7,
+                             label=f"ratio {ratio}"
+                             if case is finest[ratio] else None)
+        axes[0].plot(when, highest, "k+", ms=9,
+                     label="published peak" if i == 0 else None)
+        case = finest[ratio]
+        snapshot(case, case.times()[-1], [0, 1], axes=axes[i + 1],
+                 velocity=False, size=0.3)
+        axes[i + 1].set_title(f"ratio {ratio}, t = {end}", fontsize=9)
+    axes[0].set_xlabel("time")
+    axes[0].set_ylabel("$v_{rms}$")
+    axes[0].set_ylim(bottom=0)
+    axes[0].grid(alpha=0.3)
+    axes[0].legend(fontsize=7)
+    save(figure, "rayleighTaylor")
+    plt.close(figure)
+
+
+def study():
+    """Rows: ratio, n (cells a side), growth, linearGrowth (of linear theory),
+    vrmsMax, tMax, steps, cpu [s]."""
+    cases, rows = {}, []
+    for ratio in SCENES:
+        for n in CELLS:
+            cases[ratio, n], row = run(ratio, n)
+            rows.append(row)
+            print(row, flush=True)
+    draw(cases)
+    return rows
