@@ -68,7 +68,7 @@ Foam::materialPointCloud::materialPointCloud
     velocity_(pointVelocity::New(dict_, U, phi)),
     phi_(phi),
     inflow_(mesh_, materials, dict_, seeding_.pointsPerCell()),
-    exchange_(mesh_, dict_),
+    correction_(dict_),
     account_()
 {
     // ParaView and other readers look for positions, this code for coordinates
@@ -96,7 +96,7 @@ Foam::materialPointCloud::materialPointCloud
     {
         Info<< "none";
     }
-    Info<< ", volumeExchange " << Switch(exchange_.active())
+    Info<< ", volumeCorrection " << correction_.active()
         << nl << endl;
 
     account_.open(*this);
@@ -152,7 +152,6 @@ void Foam::materialPointCloud::move(const scalar dt)
 
     const label nAdded = population_.refill(*this);
     const label nDeleted = population_.thin(*this);
-    exchange_.apply(*this);
 
     account_.close
     (
@@ -167,6 +166,7 @@ void Foam::materialPointCloud::average
 ) const
 {
     cellMean::average(*this, fractions);
+    correction_.apply(*this, fractions);
 }
 
 
