@@ -83,7 +83,8 @@ seeding
         "functions\n{", f"""adjustTimeStep yes; maxCo 0.2; maxDeltaT {max_step};
 functions
 {{
-    square {{ type magSqr; libs (fieldFunctionObjects); field U; }}
+    square {{ type magSqr; libs (fieldFunctionObjects); field U; log no;
+        writeControl writeTime; }}
     mean {{ type volFieldValue; libs (fieldFunctionObjects); operation volAverage;
         regionType all; fields (magSqr(U)); writeFields no; log no; }}"""))
     return case
