@@ -2,7 +2,10 @@
 22477: a light layer below a heavy one in a box of 0.9142 x 1, their interface
 at 0.2 + 0.02 cos(pi x/0.9142), no slip below and above, free slip at the
 sides. Viscosity 1 above, `ratio` below; a density difference and gravity of 1.
-"""
+
+The viscosity of cut cells is the harmonic mean: the interface is sheared along
+itself. On 32 x 32 cells at ratio 0.01 it has the peak at 1.44e-2 at 50, the
+geometric mean 1.23e-2 at 54, the arithmetic one 1.10e-2 at 58."""
 
 import shutil
 
@@ -46,7 +49,7 @@ def scene(path, ratio, n, end, max_step, **entries):
     still = ("type noSlip;", "type zeroGradient;")
     light, heavy = ({"eta": eta, "etaC": 0, "R": 0, "rho": rho}
                     for eta, rho in ((ratio, 0), (1, 1)))
-    tank = Tank(path, n=n, g=(0, -1, 0), tolerance=1e-6,
+    tank = Tank(path, n=n, g=(0, -1, 0), tolerance=1e-6, average="harmonic",
                 materials={"light": light, "heavy": heavy},
                 fractions=lambda x, y: 0*x,
                 walls={"bottom": still, "top": still})
