@@ -17,7 +17,8 @@ from cosserat.case import TUTORIALS, Case, environment, residuals
 NAMES = ["convergence", "significance", "internalLength", "longShear",
          "siloDischarge", "granularContact", "invariants", "manufactured",
          "extremes", "solveCost", "sceneCost", "pointIntegration",
-         "rigidShear", "pointDistribution", "pointCoupling"]
+         "rigidShear", "pointDistribution", "pointCoupling", "rayleighTaylor",
+         "siloVolume", "pointCost", "freeSurface"]
 
 HERE = Path(__file__).resolve().parents[1]
 RESULTS = HERE/"results"

@@ -558,6 +558,7 @@ Foam::cosseratSystem::cosseratSystem
     boundary_(boundary),
     materials_(materials),
     load_(mesh),
+    stabilisation_(mesh, frame, halo),
     cosserat_(materials.parts().has(sceneParts::MICROROTATION)),
     compressible_(materials.parts().has(sceneParts::COMPRESSIBILITY)),
     nonOrthogonal_(false),
@@ -648,6 +649,7 @@ void Foam::cosseratSystem::update()
     setFaceCoefficients();
     setGravity();
     setLoad();
+    stabilisation_.update(materials_.rho(), gravity());
 }
 
 
@@ -691,6 +693,14 @@ void Foam::cosseratSystem::velocityBlock
         if (kind == flowBoundary::VELOCITY)
         {
             diag[own_[f]] += Kt_[f]*(1 - nn);
+        }
+    }
+
+    if (stabilisation_.active())
+    {
+        for (label celli = 0; celli < nCells_; ++celli)
+        {
+            diag[celli] += V_[celli]*stabilisation_.diagonal(celli, cmpt);
         }
     }
 }

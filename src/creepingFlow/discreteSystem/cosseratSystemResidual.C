@@ -318,7 +318,28 @@ void Foam::cosseratSystem::weightGradient() const
 }
 
 
-void Foam::cosseratSystem::calcForce(const bool driven) const
+void Foam::cosseratSystem::addStabilisation() const
+{
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const label P = own_[f], N = nei_[f];
+            ff_[f] += stabilisation_.along(m0_[f], m1_[f])*
+            (
+                w_[f]*stabilisation_.change(P, u0_[P], u1_[P])
+              + (1 - w_[f])*stabilisation_.change(N, u0_[N], u1_[N])
+            );
+        }
+    }
+}
+
+
+void Foam::cosseratSystem::calcForce
+(
+    const bool driven,
+    const bool moving
+) const
 {
     for (const labelPair& range : twoSided_)
     {
@@ -344,6 +365,11 @@ void Foam::cosseratSystem::calcForce(const bool driven) const
             const scalar pb = driven ? boundary_.pressure(i) : 0;
             ff_[f] = -dc_[f]*(pb - p_[own_[f]]) + driven*gravity_[f];
         }
+    }
+
+    if (moving && stabilisation_.active())
+    {
+        addStabilisation();
     }
 
     reconstruct();
@@ -803,7 +829,7 @@ void Foam::cosseratSystem::residual
     {
         weightGradient();
     }
-    calcForce(driven);
+    calcForce(driven, true);
     halo_.swap("tv", {&G00_, &G01_, &G10_, &G11_, &f0_, &f1_});
 
     r.setSize(size());

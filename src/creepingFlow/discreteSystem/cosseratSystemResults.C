@@ -146,9 +146,18 @@ Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
         }
     }
 
-    // What the force of the residual does beyond gravity and body force is the
-    // work of the discrete pressure
-    const vectorField b(bodyForce());
+    // What the force of the residual does beyond gravity (with its change by
+    // the stabilisation of free surfaces) and body force is the work of the
+    // discrete pressure
+    vectorField b(bodyForce());
+    if (stabilisation_.active())
+    {
+        forAll(b, celli)
+        {
+            b[celli] += gravity()
+               *stabilisation_.change(celli, u0_[celli], u1_[celli]);
+        }
+    }
     r = 0;
     addForce(r);
 

@@ -27,6 +27,7 @@ License
 #include "symmetryPolyPatch.H"
 #include "symmetryPlanePolyPatch.H"
 #include "wallPolyPatch.H"
+#include "emptyPolyPatch.H"
 #include "coupledPolyPatch.H"
 #include <cmath>
 
@@ -73,12 +74,26 @@ Foam::materialPoint::materialPoint
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::materialPoint::isOpen(const polyPatch& patch)
+{
+    return !
+    (
+        isA<coupledPolyPatch>(patch)
+     || isA<wallPolyPatch>(patch)
+     || isA<symmetryPolyPatch>(patch)
+     || isA<symmetryPlanePolyPatch>(patch)
+     || isA<emptyPolyPatch>(patch)
+    );
+}
+
+
 void Foam::materialPoint::startStep()
 {
     stage_ = -1;
     displacement_ = Zero;
     travelled_ = Zero;
     sum_ = Zero;
+    nTracks_ = 0;
 }
 
 
@@ -96,7 +111,6 @@ bool Foam::materialPoint::move
     const label n = scheme.nStages();
 
     // A point crosses few faces in a step; many mean that it cannot move on
-    label nTracks = 0;
     const label maxTracks = 10000;
 
     while (td.keepParticle && !td.switchProcessor && stepFraction() < 1)
@@ -125,6 +139,11 @@ bool Foam::materialPoint::move
             displacement_ =
                 td.dt*(stage_ < n - 1 ? scheme.a(stage_)*U : sum_)
               - travelled_;
+
+            if (!std::isfinite(mag(displacement_)))
+            {
+                lost("the way of its step is not a number");
+            }
             continue;
         }
 
@@ -137,7 +156,7 @@ bool Foam::materialPoint::move
         travelled_ += n*(stepFraction() - before)*way;
         hitFace(way, cloud, td);
 
-        if (++nTracks > maxTracks)
+        if (++nTracks_ > maxTracks)
         {
             lost("not at the end of its step after 10000 faces");
         }
@@ -156,21 +175,16 @@ bool Foam::materialPoint::hitPatch(materialPointCloud&, trackingData& td)
         return false;
     }
 
-    if
-    (
-        isA<wallPolyPatch>(pp)
-     || isA<symmetryPolyPatch>(pp)
-     || isA<symmetryPlanePolyPatch>(pp)
-    )
+    if (isOpen(pp))
     {
-        const vector n(normal());
-        displacement_ -= max(displacement_ & n, scalar(0))*n;
+        td.keepParticle = false;
+        ++td.nOut[patch()];
+        td.volumeOut[patch()] += volume_;
     }
     else
     {
-        td.keepParticle = false;
-        ++td.nLeft;
-        td.volumeLeft += volume_;
+        const vector n(normal());
+        displacement_ -= max(displacement_ & n, scalar(0))*n;
     }
 
     return true;

@@ -55,7 +55,7 @@ Foam::materialPoint::materialPoint
         if (is.format() == IOstream::ASCII)
         {
             is  >> material_ >> dye_ >> volume_ >> stage_
-                >> displacement_ >> travelled_ >> sum_;
+                >> displacement_ >> travelled_ >> sum_ >> nTracks_;
         }
         else
         {
@@ -143,7 +143,8 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const materialPoint& p)
             << token::SPACE << p.stage_
             << token::SPACE << p.displacement_
             << token::SPACE << p.travelled_
-            << token::SPACE << p.sum_;
+            << token::SPACE << p.sum_
+            << token::SPACE << p.nTracks_;
     }
     else
     {

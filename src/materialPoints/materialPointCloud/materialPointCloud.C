@@ -67,9 +67,9 @@ Foam::materialPointCloud::materialPointCloud
     coupling_(flowCoupling::New(dict_, U, phi)),
     population_(mesh_, dict_, seeding_.pointsPerCell()),
     velocity_(pointVelocity::New(dict_, coupling_->U(), coupling_->phi())),
-    nLeft_(0),
-    volumeLeft_(0),
-    nAdded_(0)
+    inflow_(mesh_, materials, dict_, seeding_.pointsPerCell()),
+    correction_(dict_),
+    account_()
 {
     // ParaView and other readers look for positions, this code for coordinates
     particle::writeLagrangianPositions = true;
@@ -89,7 +89,19 @@ Foam::materialPointCloud::materialPointCloud
         << ", coupling " << coupling_->type()
         << ", average " << average_->type()
         << ", minPointsPerCell " << population_.minPointsPerCell()
+        << ", maxPointsPerCell ";
+    if (population_.maxPointsPerCell())
+    {
+        Info<< population_.maxPointsPerCell();
+    }
+    else
+    {
+        Info<< "none";
+    }
+    Info<< ", volumeCorrection " << correction_.active()
         << nl << endl;
+
+    account_.open(*this);
 }
 
 
@@ -124,7 +136,10 @@ Foam::label Foam::materialPointCloud::findMaterial
 }
 
 
-void Foam::materialPointCloud::track(const scalar dt)
+Foam::materialPoint::trackingData Foam::materialPointCloud::track
+(
+    const scalar dt
+)
 {
     velocity_->update();
 
@@ -136,9 +151,7 @@ void Foam::materialPointCloud::track(const scalar dt)
     materialPoint::trackingData td(*this, *velocity_, *integration_, dt);
     Cloud<materialPoint>::move(*this, td, dt);
 
-    nLeft_ += returnReduce(td.nLeft, sumOp<label>());
-    volumeLeft_ += returnReduce(td.volumeLeft, sumOp<scalar>());
-    nAdded_ += population_.refill(*this);
+    return td;
 }
 
 
@@ -154,11 +167,10 @@ void Foam::materialPointCloud::predict
     {
         start.set(i++, new materialPoint(p));
     }
-    const label nLeft = nLeft_, nAdded = nAdded_;
-    const scalar volumeLeft = volumeLeft_;
 
     coupling_->update(dt);
     track(0.5*dt);
+    population_.refill(*this);
     average(fractions);
 
     this->clear();
@@ -166,16 +178,25 @@ void Foam::materialPointCloud::predict
     {
         addParticle(start.set(i, nullptr).ptr());
     }
-    nLeft_ = nLeft;
-    nAdded_ = nAdded;
-    volumeLeft_ = volumeLeft;
 }
 
 
 void Foam::materialPointCloud::move(const scalar dt)
 {
     coupling_->update(dt);
-    track(dt);
+    const materialPoint::trackingData td(track(dt));
+
+    label nIn = 0;
+    scalar volumeIn = 0;
+    inflow_.enter(*this, *velocity_, coupling_->phi(), dt, nIn, volumeIn);
+
+    const label nAdded = population_.refill(*this);
+    const label nDeleted = population_.thin(*this);
+
+    account_.close
+    (
+        *this, nIn, volumeIn, nAdded, nDeleted, td.nOut, td.volumeOut
+    );
 }
 
 
@@ -188,6 +209,7 @@ void Foam::materialPointCloud::average
     if (fractions.size())
     {
         average_->fractions(*this, fractions);
+        correction_.apply(*this, fractions);
     }
 }
 
@@ -209,9 +231,7 @@ Foam::label Foam::materialPointCloud::nPoints() const
 
 void Foam::materialPointCloud::report() const
 {
-    Info<< "Material points: " << nPoints() << " inside, " << nAdded_
-        << " added and " << nLeft_ << " left (" << volumeLeft_
-        << " m3) since the start" << endl;
+    account_.report(*this);
 }
 
 

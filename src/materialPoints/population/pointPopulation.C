@@ -23,6 +23,7 @@ License
 
 #include "pointPopulation.H"
 #include "materialPointCloud.H"
+#include "syncTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -46,6 +47,161 @@ Foam::materialPoint* Foam::pointPopulation::split
 }
 
 
+void Foam::pointPopulation::fillAcross
+(
+    materialPointCloud& cloud,
+    const labelList& before,
+    labelList& count,
+    label& nAdded
+) const
+{
+    // Cells that need a point, asked of those behind coupled faces
+    bool any = false;
+    for (const label n : count)
+    {
+        any = any || n == 0;
+    }
+    if (!returnReduce(any, orOp<bool>()))
+    {
+        return;
+    }
+
+    const label nBoundary = mesh_.nFaces() - mesh_.nInternalFaces();
+    const label first = mesh_.nInternalFaces();
+    labelList otherCount;
+    syncTools::swapBoundaryCellList(mesh_, before, otherCount);
+
+    // One face asks for each empty cell
+    labelList asked(nBoundary, Zero);
+    labelList faceOf(mesh_.nCells(), -1);
+    forAll(count, celli)
+    {
+        if (count[celli] > 0)
+        {
+            continue;
+        }
+        for (const label facei : mesh_.cells()[celli])
+        {
+            if
+            (
+                facei >= first
+             && mesh_.boundaryMesh()
+                [
+                    mesh_.boundaryMesh().whichPatch(facei)
+                ].coupled()
+             && otherCount[facei - first] > 0
+            )
+            {
+                faceOf[celli] = facei;
+                asked[facei - first] = 1;
+                break;
+            }
+        }
+        if (faceOf[celli] < 0)
+        {
+            FatalErrorInFunction
+                << "Cell " << celli << " at " << mesh_.cellCentres()[celli]
+                << " has no material point and its neighbours have none"
+                << " either, time " << mesh_.time().timeName() << nl
+                << "    Cures: more pointsPerCell or minPointsPerCell, a"
+                << " smaller maxCo" << exit(FatalError);
+        }
+    }
+
+    syncTools::swapBoundaryFaceList(mesh_, asked);
+
+    // Their largest points give half of their volume
+    labelList material(nBoundary, Zero), dye(nBoundary, Zero);
+    scalarList volume(nBoundary, Zero);
+    forAll(asked, b)
+    {
+        // Also the faces of this side that ask have no point to give
+        const label celli = mesh_.faceOwner()[first + b];
+        if (!asked[b] || before[celli] == 0)
+        {
+            continue;
+        }
+        materialPoint* largest = nullptr;
+        for (materialPoint& p : cloud)
+        {
+            if
+            (
+                p.cell() == celli
+             && (!largest || p.volume() > largest->volume())
+            )
+            {
+                largest = &p;
+            }
+        }
+        largest->volume() *= 0.5;
+        volume[b] = largest->volume();
+        material[b] = largest->material();
+        dye[b] = largest->dye();
+    }
+
+    syncTools::swapBoundaryFaceList(mesh_, material);
+    syncTools::swapBoundaryFaceList(mesh_, dye);
+    syncTools::swapBoundaryFaceList(mesh_, volume);
+
+    forAll(faceOf, celli)
+    {
+        if (faceOf[celli] >= 0)
+        {
+            const label b = faceOf[celli] - first;
+            cloud.addParticle
+            (
+                new materialPoint
+                (
+                    mesh_, mesh_.cellCentres()[celli], celli,
+                    material[b], dye[b], volume[b]
+                )
+            );
+            ++count[celli];
+            ++nAdded;
+        }
+    }
+}
+
+
+Foam::materialPoint* Foam::pointPopulation::dense
+(
+    const UList<materialPoint*>& points
+)
+{
+    materialPoint* smaller = nullptr;
+
+    for (const bool sameDye : {true, false})
+    {
+        scalar nearest = GREAT;
+        forAll(points, i)
+        {
+            for (label j = 0; j < i; ++j)
+            {
+                materialPoint& a = *points[i];
+                materialPoint& b = *points[j];
+                const scalar distance = magSqr(a.position() - b.position());
+                if
+                (
+                    a.material() == b.material()
+                 && (!sameDye || a.dye() == b.dye())
+                 && distance < nearest
+                )
+                {
+                    nearest = distance;
+                    smaller = a.volume() < b.volume() ? &a : &b;
+                }
+            }
+        }
+        if (smaller)
+        {
+            break;
+        }
+    }
+
+    return smaller;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::pointPopulation::pointPopulation
@@ -59,7 +215,8 @@ Foam::pointPopulation::pointPopulation
     minPointsPerCell_
     (
         dict.getOrDefault<label>("minPointsPerCell", pointsPerCell/4)
-    )
+    ),
+    maxPointsPerCell_(dict.getOrDefault<label>("maxPointsPerCell", 0))
 {
     if (minPointsPerCell_ < 0 || minPointsPerCell_ > pointsPerCell)
     {
@@ -67,6 +224,15 @@ Foam::pointPopulation::pointPopulation
             << "Entry 'minPointsPerCell' is " << minPointsPerCell_ << nl
             << "    Allowed: 0 to pointsPerCell, " << pointsPerCell
             << exit(FatalIOError);
+    }
+
+    const label least = max(minPointsPerCell_, label(1));
+    if (dict.found("maxPointsPerCell") && maxPointsPerCell_ < least)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'maxPointsPerCell' is " << maxPointsPerCell_ << nl
+            << "    Allowed: minPointsPerCell, " << least
+            << ", or more; no entry: none are deleted" << exit(FatalIOError);
     }
 }
 
@@ -104,11 +270,12 @@ Foam::label Foam::pointPopulation::refill(materialPointCloud& cloud) const
         }
     }
 
+    const labelList before(count);
     label nAdded = 0;
+    Map<DynamicList<materialPoint*>> points;
 
     if (any)
     {
-        Map<DynamicList<materialPoint*>> points;
         for (materialPoint& p : cloud)
         {
             if (low[p.cell()])
@@ -126,6 +293,10 @@ Foam::label Foam::pointPopulation::refill(materialPointCloud& cloud) const
 
                 for (const label other : mesh_.cellCells()[celli])
                 {
+                    if (before[other] == 0)
+                    {
+                        continue;
+                    }
                     for (materialPoint* p : points(other))
                     {
                         if
@@ -150,8 +321,16 @@ Foam::label Foam::pointPopulation::refill(materialPointCloud& cloud) const
                     ++nAdded;
                 }
             }
+        }
+    }
 
-            while (count[celli] > 0 && count[celli] < minPointsPerCell_)
+    fillAcross(cloud, before, count, nAdded);
+
+    if (any)
+    {
+        forAll(count, celli)
+        {
+            while (low[celli] && count[celli] < minPointsPerCell_)
             {
                 materialPoint* largest = nullptr;
                 for (materialPoint* p : points(celli))
@@ -160,6 +339,12 @@ Foam::label Foam::pointPopulation::refill(materialPointCloud& cloud) const
                     {
                         largest = p;
                     }
+                }
+
+                // One filled across is split further in the next step
+                if (!largest)
+                {
+                    break;
                 }
 
                 // A tenth of the way to the centre: inside a convex cell
@@ -178,7 +363,71 @@ Foam::label Foam::pointPopulation::refill(materialPointCloud& cloud) const
         }
     }
 
-    return returnReduce(nAdded, sumOp<label>());
+    return nAdded;
+}
+
+
+Foam::label Foam::pointPopulation::thin(materialPointCloud& cloud) const
+{
+    if (maxPointsPerCell_ == 0)
+    {
+        return 0;
+    }
+
+    labelList count(mesh_.nCells(), Zero);
+    for (const materialPoint& p : cloud)
+    {
+        ++count[p.cell()];
+    }
+
+    Map<DynamicList<materialPoint*>> points;
+    for (materialPoint& p : cloud)
+    {
+        if (count[p.cell()] > maxPointsPerCell_)
+        {
+            points(p.cell()).append(&p);
+        }
+    }
+
+    label nDeleted = 0;
+    forAllIters(points, iter)
+    {
+        DynamicList<materialPoint*>& here = *iter;
+
+        while (here.size() > maxPointsPerCell_)
+        {
+            materialPoint* gone = dense(here);
+            if (!gone)
+            {
+                break;
+            }
+
+            DynamicList<materialPoint*> rest;
+            scalar volume = 0;
+            for (materialPoint* p : here)
+            {
+                if (p != gone)
+                {
+                    rest.append(p);
+                    volume +=
+                        p->material() == gone->material() ? p->volume() : 0;
+                }
+            }
+            for (materialPoint* p : rest)
+            {
+                if (p->material() == gone->material())
+                {
+                    p->volume() *= 1 + gone->volume()/volume;
+                }
+            }
+
+            here.transfer(rest);
+            cloud.deleteParticle(*gone);
+            ++nDeleted;
+        }
+    }
+
+    return nDeleted;
 }
 
 

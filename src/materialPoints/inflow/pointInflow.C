@@ -1,0 +1,218 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointInflow.H"
+#include "materialPointCloud.H"
+#include "meshTools.H"
+#include <cmath>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::pointInflow::refuse(const label patchi) const
+{
+    const word& name = mesh_.boundary()[patchi].name();
+
+    FatalIOErrorInFunction(dict_)
+        << "Material flows in through patch " << name << " at time "
+        << mesh_.time().timeName() << ", but entry 'inflow/" << name
+        << "' is not there" << nl
+        << "    Allowed: inflow { " << name
+        << " { material <name>; } } in constant/materialPointsProperties"
+        << exit(FatalIOError);
+}
+
+
+Foam::point Foam::pointInflow::place
+(
+    const label facei,
+    const scalar fraction
+) const
+{
+    pointField corners(mesh_.faces()[facei].points(mesh_.points()));
+    for (point& corner : corners)
+    {
+        meshTools::constrainToMeshCentre(mesh_, corner);
+    }
+
+    // Its ends in the plane
+    point end(corners[0]);
+    for (const point& corner : corners)
+    {
+        if (magSqr(corner - corners[0]) > magSqr(end - corners[0]))
+        {
+            end = corner;
+        }
+    }
+
+    return (1 - fraction)*corners[0] + fraction*end;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pointInflow::pointInflow
+(
+    const fvMesh& mesh,
+    const wordList& materials,
+    const dictionary& dict,
+    const label pointsPerCell
+)
+:
+    mesh_(mesh),
+    dict_(dict),
+    pointsPerCell_(pointsPerCell),
+    material_(mesh.boundary().size(), -1)
+{
+    const dictionary& inflow = dict.subOrEmptyDict("inflow");
+
+    for (const entry& e : inflow)
+    {
+        const label patchi = mesh.boundaryMesh().findPatchID(e.keyword());
+
+        if (patchi < 0 || !e.isDict())
+        {
+            FatalIOErrorInFunction(inflow)
+                << "Entry '" << e.keyword() << "' of inflow is "
+                << (e.isDict() ? "no patch" : "no dictionary") << nl
+                << "    Allowed: one dictionary a patch, of "
+                << flatOutput(mesh.boundaryMesh().names())
+                << exit(FatalIOError);
+        }
+        if (!materialPoint::isOpen(mesh.boundaryMesh()[patchi]))
+        {
+            FatalIOErrorInFunction(inflow)
+                << "Entry '" << e.keyword() << "' of inflow is a patch of type "
+                << mesh.boundary()[patchi].type() << nl
+                << "    Allowed: type patch in constant/polyMesh/boundary;"
+                << " nothing comes in through others" << exit(FatalIOError);
+        }
+
+        material_[patchi] = materialPointCloud::findMaterial
+        (
+            e.dict().get<word>("material"), materials, e.dict()
+        );
+    }
+
+    DynamicList<label> open;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (materialPoint::isOpen(pp))
+        {
+            open.append(pp.index());
+        }
+    }
+    open_ = open;
+
+    if (open_.size())
+    {
+        sum_.reset
+        (
+            new surfaceScalarField
+            (
+                IOobject
+                (
+                    "inflowVolume",
+                    mesh.time().timeName(),
+                    mesh,
+                    IOobject::READ_IF_PRESENT,
+                    IOobject::AUTO_WRITE
+                ),
+                mesh,
+                dimensionedScalar(dimVolume, Zero)
+            )
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::pointInflow::enter
+(
+    materialPointCloud& cloud,
+    const pointVelocity& velocity,
+    const surfaceScalarField& phi,
+    const scalar dt,
+    label& nIn,
+    scalar& volumeIn
+)
+{
+    // Sums of equal parts miss a whole by rounding
+    auto whole = [](const scalar x) { return label(std::floor(x + 1e-6)); };
+
+    const scalar golden = 0.5*(std::sqrt(5.0) - 1);
+
+    for (const label patchi : open_)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        const scalarField& phip = phi.boundaryField()[patchi];
+        scalarField& sums = sum_->boundaryFieldRef()[patchi];
+
+        forAll(phip, i)
+        {
+            if (phip[i] >= 0)
+            {
+                continue;
+            }
+
+            const label celli = patch.faceCells()[i];
+            const scalar volume = mesh_.V()[celli]/pointsPerCell_;
+            const scalar before = sums[i]/volume;
+            sums[i] -= phip[i]*dt;
+            const scalar now = sums[i]/volume;
+
+            for (label k = whole(before) + 1; k <= whole(now); ++k)
+            {
+                if (material_[patchi] < 0)
+                {
+                    refuse(patchi);
+                }
+
+                const scalar fraction = std::fmod(k*golden, 1);
+                const point at(place(patch.start() + i, fraction));
+
+                // Inside by a millionth of the way to the centre
+                materialPoint* p = new materialPoint
+                (
+                    mesh_,
+                    at + 1e-6*(mesh_.cellCentres()[celli] - at),
+                    celli,
+                    material_[patchi],
+                    0,
+                    volume
+                );
+
+                const scalar left =
+                    dt*min(max((now - k)/(now - before), scalar(0)), scalar(1));
+                p->track(left*velocity.value(*p), 0);
+                cloud.addParticle(p);
+
+                ++nIn;
+                volumeIn += volume;
+            }
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,144 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointAccount.H"
+#include "materialPointCloud.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::pointAccount::count
+(
+    const materialPointCloud& cloud,
+    label& n,
+    scalar& volume
+)
+{
+    n = cloud.nPoints();
+    volume = 0;
+    for (const materialPoint& p : cloud)
+    {
+        volume += p.volume();
+    }
+    reduce(volume, sumOp<scalar>());
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pointAccount::pointAccount()
+:
+    nInside_(0),
+    volumeInside_(0),
+    nIn_(0),
+    volumeIn_(0),
+    nAdded_(0),
+    nDeleted_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::pointAccount::open(const materialPointCloud& cloud)
+{
+    count(cloud, nInside_, volumeInside_);
+    const label nPatches = cloud.pMesh().boundaryMesh().nNonProcessor();
+    nOut_.setSize(nPatches, 0);
+    volumeOut_.setSize(nPatches, 0);
+}
+
+
+void Foam::pointAccount::close
+(
+    const materialPointCloud& cloud,
+    const label nIn,
+    const scalar volumeIn,
+    const label nAdded,
+    const label nDeleted,
+    const labelList& nOut,
+    const scalarList& volumeOut
+)
+{
+    label n = nInside_;
+    scalar volume = volumeInside_;
+
+    const label nInAll = returnReduce(nIn, sumOp<label>());
+    const scalar volumeInAll = returnReduce(volumeIn, sumOp<scalar>());
+    const label nAddedAll = returnReduce(nAdded, sumOp<label>());
+    const label nDeletedAll = returnReduce(nDeleted, sumOp<label>());
+
+    nIn_ += nInAll;
+    volumeIn_ += volumeInAll;
+    nAdded_ += nAddedAll;
+    nDeleted_ += nDeletedAll;
+    n += nInAll + nAddedAll - nDeletedAll;
+    volume += volumeInAll;
+
+    scalar volumeGone = 0;
+    forAll(nOut_, patchi)
+    {
+        const label gone = returnReduce(nOut[patchi], sumOp<label>());
+        const scalar v = returnReduce(volumeOut[patchi], sumOp<scalar>());
+        nOut_[patchi] += gone;
+        volumeOut_[patchi] += v;
+        n -= gone;
+        volumeGone += v;
+    }
+    volume -= volumeGone;
+
+    const scalar scale = volumeInside_ + volumeInAll;
+    count(cloud, nInside_, volumeInside_);
+
+    // The volume but for the rounding of sums
+    if (n != nInside_ || mag(volume - volumeInside_) > 1e-9*scale)
+    {
+        FatalErrorInFunction
+            << "The books of the material points do not balance at time "
+            << cloud.pMesh().time().timeName() << nl
+            << "    Inside are " << nInside_ << " points, "
+            << volumeInside_ << " m3; before + in + added - deleted - out is "
+            << n << " points, " << volume << " m3"
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::pointAccount::report(const materialPointCloud& cloud) const
+{
+    Info<< "Material points: " << nInside_ << " inside (" << volumeInside_
+        << " m3); since the start " << nIn_ << " in (" << volumeIn_
+        << " m3), " << nAdded_ << " added, " << nDeleted_ << " deleted, "
+        << sum(nOut_) << " out (" << sum(volumeOut_) << " m3)";
+
+    forAll(nOut_, patchi)
+    {
+        if (nOut_[patchi])
+        {
+            Info<< ", " << nOut_[patchi] << " by "
+                << cloud.pMesh().boundaryMesh()[patchi].name();
+        }
+    }
+    Info<< endl;
+}
+
+
+// ************************************************************************* //
