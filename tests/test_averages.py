@@ -40,7 +40,8 @@ def test_fractions_are_limited(box, average):
                materials={"heavy": {**fluid, "rho": 1}, "light": fluid})
     add_points(case, "{ type all; material heavy; } { type box; material light;"
                " min (-0.5 -0.5 -1); max (0.17 0.17 1); }", average=average,
-               pointsPerCell=9, minPointsPerCell=0)
+               pointsPerCell=9, minPointsPerCell=0,
+               volumeCorrection="no")
     case.substitute("system/controlDict", {
         "endTime": 24, "deltaT": 1, "writeInterval": 24})
     case.run("cosseratPicFoam")

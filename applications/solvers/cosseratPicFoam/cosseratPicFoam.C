@@ -50,6 +50,9 @@ Usage
 
 SourceFiles
     cosseratPicFoam.C
+    checkTimeControls.H
+    createGravity.H
+    createPoints.H
     progress.H
 
 \*---------------------------------------------------------------------------*/
@@ -73,6 +76,7 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     #include "createMesh.H"
     #include "createTimeControls.H"
+    #include "checkTimeControls.H"
 
     materialFields materials(mesh);
     #include "createGravity.H"
@@ -83,15 +87,19 @@ int main(int argc, char *argv[])
     #include "createPoints.H"
 
     materials.correct();
-    flow.solve();
-
     progress done(runTime);
+    flow.solve();
+    done.spent("flow");
 
     while (runTime.run())
     {
+        // Of fields and function objects, the latter in run()
+        done.spent("output");
+
         #include "readTimeControls.H"
         #include "CourantNo.H"
         #include "setDeltaT.H"
+        done.courant(CoNum);
 
         ++runTime;
         Info<< nl << "Time = " << runTime.timeName() << nl << endl;
@@ -106,18 +114,23 @@ int main(int argc, char *argv[])
                 flow.solve();
             }
             points->move(runTime.deltaTValue());
+            done.spent("points");
             points->average(materials.fractions());
             points->report();
         }
 
         materials.correct();
+        done.spent("averages");
         flow.solve();
+        done.spent("flow");
 
         runTime.write();
         done.report();
     }
 
     flow.summary();
+    done.spent("output");
+    done.summary();
     Info<< "End" << nl << endl;
 
     return 0;

@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "creepingFlow.H"
+#include "checkedEntry.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -354,6 +355,14 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
     nIterations_(0),
     maxIterations_(0)
 {
+    checkedEntry::only
+    (
+        controls_,
+        {
+            "tolerance", "maxIter", "nDirections", "notConverged",
+            "preconditioner", "freeSurfaceStabilisation", "forced"
+        }
+    );
     checkDimensions(U_, dimVelocity);
     checkDimensions(pRgh_, dimPressure);
     checkDimensions(omega_, dimless/dimTime);

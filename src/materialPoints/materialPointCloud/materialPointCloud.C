@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPointCloud.H"
+#include "checkedEntry.H"
 #include "ListOps.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -71,6 +72,16 @@ Foam::materialPointCloud::materialPointCloud
     correction_(dict_),
     account_()
 {
+    checkedEntry::reportUnread
+    (
+        dict_,
+        {
+            "seeding", "velocity", "integration", "coupling", "average",
+            "minPointsPerCell", "maxPointsPerCell", "volumeCorrection",
+            "inflow"
+        }
+    );
+
     // ParaView and other readers look for positions, this code for coordinates
     particle::writeLagrangianPositions = true;
 

@@ -33,7 +33,7 @@ Foam::autoPtr<Foam::pointAverage> Foam::pointAverage::New
 {
     const word averageType
     (
-        dict.getOrDefault<word>("average", "linearLeastSquares")
+        dict.getOrDefault<word>("average", "cellMean")
     );
 
     auto constructor =

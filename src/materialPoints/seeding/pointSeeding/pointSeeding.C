@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointSeeding.H"
+#include "checkedEntry.H"
 #include "materialPointCloud.H"
 #include "planarCells.H"
 
@@ -132,6 +133,8 @@ Foam::pointSeeding::pointSeeding
     mesh_(mesh),
     pointsPerCell_(dict.getOrDefault<label>("pointsPerCell", 16))
 {
+    checkedEntry::only(dict, {"pointsPerCell", "regions", "dye"});
+
     if (pointsPerCell_ < 1)
     {
         FatalIOErrorInFunction(dict)

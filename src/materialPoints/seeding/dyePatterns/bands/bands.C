@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "bands.H"
+#include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -47,6 +48,12 @@ Foam::dyePatterns::bands::bands
     width_(dict.get<scalar>("width")),
     period_(dict.get<scalar>("period"))
 {
+    checkedEntry::only
+    (
+        dict,
+        {"type", "material", "across", "start", "width", "period"}
+    );
+
     if (!(width_ > 0 && width_ <= period_))
     {
         FatalIOErrorInFunction(dict)

@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "grid.H"
+#include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -47,6 +48,12 @@ Foam::dyePatterns::grid::grid
     origin_(dict.get<point>("origin")),
     directions_(dict.get<Pair<vector>>("directions"))
 {
+    checkedEntry::only
+    (
+        dict,
+        {"type", "material", "spacing", "width", "origin", "directions"}
+    );
+
     if (!(width_ > 0 && width_ < spacing_))
     {
         FatalIOErrorInFunction(dict)

@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "stripes.H"
+#include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -45,6 +46,8 @@ Foam::dyePatterns::stripes::stripes(const dictionary& dict)
     origin_(dict.get<point>("origin")),
     width_(dict.get<scalar>("width"))
 {
+    checkedEntry::only(dict, {"type", "material", "along", "origin", "width"});
+
     if (!(width_ > 0))
     {
         FatalIOErrorInFunction(dict)

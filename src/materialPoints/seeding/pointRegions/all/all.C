@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "all.H"
+#include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -43,7 +44,9 @@ Foam::pointRegions::all::all
     const dictionary& dict,
     const polyMesh& mesh
 )
-{}
+{
+    checkedEntry::only(dict, {"type", "material"});
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "belowInterface.H"
+#include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -47,7 +48,13 @@ Foam::pointRegions::belowInterface::belowInterface
     along_(normalised(dict.get<vector>("along"))),
     up_(normalised(dict.get<vector>("up"))),
     height_(Function1<scalar>::New("height", dict))
-{}
+{
+    checkedEntry::only
+    (
+        dict,
+        {"type", "material", "along", "up", "height", "heightCoeffs"}
+    );
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

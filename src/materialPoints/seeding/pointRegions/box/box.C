@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "box.H"
+#include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -46,6 +47,8 @@ Foam::pointRegions::box::box
 :
     box_(dict.get<point>("min"), dict.get<point>("max"))
 {
+    checkedEntry::only(dict, {"type", "material", "min", "max"});
+
     if (cmptMin(box_.span()) < 0)
     {
         FatalIOErrorInFunction(dict)

@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "polygon.H"
+#include "checkedEntry.H"
 #include "planarCells.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -48,6 +49,8 @@ Foam::pointRegions::polygon::polygon
     axes_(planarCells::axes(mesh)),
     points_(dict.get<List<point>>("points"))
 {
+    checkedEntry::only(dict, {"type", "material", "points"});
+
     if (points_.size() < 3)
     {
         FatalIOErrorInFunction(dict)

@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "surface.H"
+#include "checkedEntry.H"
 #include "polyMesh.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -48,6 +49,8 @@ Foam::pointRegions::surface::surface
     surface_(dict.get<fileName>("file").expand()),
     search_(surface_)
 {
+    checkedEntry::only(dict, {"type", "material", "file"});
+
     if (surface_.empty())
     {
         FatalIOErrorInFunction(dict)
