@@ -23,69 +23,68 @@ License
 
 #include "directionSet.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- In four sums, which the processor adds up side by side
-static Foam::scalar product
-(
-    const Foam::scalar* a,
-    const Foam::scalar* x,
-    const Foam::label n
-)
-{
-    Foam::scalar s[4] = {0, 0, 0, 0};
-    Foam::label i = 0;
-    for (; i + 4 <= n; i += 4)
-    {
-        s[0] += a[i]*x[i];
-        s[1] += a[i + 1]*x[i + 1];
-        s[2] += a[i + 2]*x[i + 2];
-        s[3] += a[i + 3]*x[i + 3];
-    }
-    for (; i < n; ++i)
-    {
-        s[0] += a[i]*x[i];
-    }
-    return (s[0] + s[1]) + (s[2] + s[3]);
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::directionSet::products(const scalarField& x, scalarList& p) const
 {
-    const label n = p.size() - 1;
-    p = Zero;
+    const label n = p.size() - 1, size = x.size();
+    const scalar* xs = x.cdata();
 
-    for (label start = 0; start < x.size(); start += nChunk)
+    label i = 0;
+    for (; i + nTogether <= n; i += nTogether)
     {
-        const label size = min(nChunk, x.size() - start);
-        const scalar* xs = x.cdata() + start;
-
-        for (label i = 0; i < n; ++i)
+        const scalar* a = v_[i].cdata();
+        const scalar* b = v_[i + 1].cdata();
+        const scalar* c = v_[i + 2].cdata();
+        const scalar* d = v_[i + 3].cdata();
+        scalar sa = 0, sb = 0, sc = 0, sd = 0;
+        for (label j = 0; j < size; ++j)
         {
-            p[i] += product(v_[i].cdata() + start, xs, size);
+            const scalar xj = xs[j];
+            sa += a[j]*xj;
+            sb += b[j]*xj;
+            sc += c[j]*xj;
+            sd += d[j]*xj;
         }
-        p[n] += product(xs, xs, size);
+        p[i] = sa;
+        p[i + 1] = sb;
+        p[i + 2] = sc;
+        p[i + 3] = sd;
     }
+    for (; i < n; ++i)
+    {
+        p[i] = sumProd(v_[i], x);
+    }
+    p[n] = sumSqr(x);
 }
 
 
 void Foam::directionSet::add(const scalarUList& coeffs, scalarField& x) const
 {
-    for (label start = 0; start < x.size(); start += nChunk)
-    {
-        const label size = min(nChunk, x.size() - start);
-        scalar* xs = x.data() + start;
+    const label n = coeffs.size(), size = x.size();
+    scalar* xs = x.data();
 
-        forAll(coeffs, i)
+    label i = 0;
+    for (; i + nTogether <= n; i += nTogether)
+    {
+        const scalar* a = v_[i].cdata();
+        const scalar* b = v_[i + 1].cdata();
+        const scalar* c = v_[i + 2].cdata();
+        const scalar* d = v_[i + 3].cdata();
+        const scalar ka = coeffs[i], kb = coeffs[i + 1];
+        const scalar kc = coeffs[i + 2], kd = coeffs[i + 3];
+        for (label j = 0; j < size; ++j)
         {
-            const scalar c = coeffs[i];
-            const scalar* v = v_[i].cdata() + start;
-            for (label j = 0; j < size; ++j)
-            {
-                xs[j] += c*v[j];
-            }
+            xs[j] += (ka*a[j] + kb*b[j]) + (kc*c[j] + kd*d[j]);
+        }
+    }
+    for (; i < n; ++i)
+    {
+        const scalar k = coeffs[i];
+        const scalar* v = v_[i].cdata();
+        for (label j = 0; j < size; ++j)
+        {
+            xs[j] += k*v[j];
         }
     }
 }

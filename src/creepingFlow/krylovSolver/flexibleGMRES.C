@@ -30,7 +30,7 @@ License
 
 //- Share of the squared length of a vector that must remain when others are
 //- taken out, lest what remains be no longer orthogonal to them
-static const Foam::scalar remaining = 0.25;
+static const Foam::scalar remaining = 0.1;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
