@@ -47,7 +47,7 @@ def test_one_material_takes_as_many_iterations(tmp_path, coupling):
                  "n": 24}
         case = block(tmp_path/f"R{R}", **given, tolerance=1e-6)
         case.substitute("system/fvSolution", {
-            "notConverged": "warn; preconditioner { block direct; }"})
+            "notConverged": "error; preconditioner { block direct; }"})
         assert measure(case, "block", given)["iterations"] <= 17
 
 
@@ -102,7 +102,7 @@ def test_not_converged_names_cause_and_cure(tmp_path, mesh, aspect, angle):
     """The message of a flow that does not converge."""
     given = {**DEFAULT, "n": 16, **mesh}
     case = block(tmp_path/"case", **given, tolerance=1e-6)
-    case.substitute("system/fvSolution", {"notConverged": "error; maxIter 5"})
+    case.substitute("system/fvSolution", {"tolerance": "1e-6; maxIter 5"})
     row = measure(case, "block", given)
     assert not row["converged"]
     found = re.search(r"etaC/eta (\S+), largest jump of eta between cells (\S+)"

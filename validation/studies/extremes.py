@@ -59,7 +59,7 @@ def block(path, contrast, coupling, R, B, density, aspect, graded, shear, n,
 
     shutil.rmtree(path, ignore_errors=True)
     case = Box(path, n=n, g=(0, -1, 0), tolerance=tolerance, shear=shear,
-               notConverged="warn", fractions=fraction,
+               fractions=fraction,
                warp=warp if aspect != 1 or graded != 1 else None,
                materials={"block": material(contrast, 1),
                           "rest": material(1.0, density)}).write()
@@ -78,22 +78,22 @@ def measure(case, scene, parameters):
             shutil.rmtree(case.path/time)
         done = case.run("cosseratPicFoam", check=False)
         log = done.stdout
-        if done.returncode:
-            match = re.search(r"FATAL.*?\n(.*?)\n\s*From function", log, re.S)
-            row["error"] = " ".join((match[1] if match else log[-300:]).split())
-            row["converged"] = False
-            return row
         solves = residuals(log)
         # The first solve, before anything has moved
         solves = solves[:3 if solves[2:3] and solves[2][0] == "omega" else 2]
-        key = "iterations" if tolerance == 1e-6 else "iterations8"
-        row[key] = solves[0][3]
-        row["residual"] = max(solve[2] for solve in solves)
-        row["converged"] = row["residual"] <= tolerance
-        if tolerance == 1e-6:
-            row["cpu"] = cpu_seconds(log)
+        if solves:
+            key = "iterations" if tolerance == 1e-6 else "iterations8"
+            row[key] = solves[0][3]
+            row["residual"] = max(solve[2] for solve in solves)
         row["solver"] = ("direct" if "sparse factorisation" in log
                          else "multigrid")
+        row["converged"] = done.returncode == 0
+        if done.returncode:
+            match = re.search(r"FATAL.*?\n(.*?)\n\s*From function", log, re.S)
+            row["error"] = " ".join((match[1] if match else log[-300:]).split())
+            return row
+        if tolerance == 1e-6:
+            row["cpu"] = cpu_seconds(log)
         found.append(case.field("U"))
     row["change"] = float(np.abs(found[1] - found[0]).max()
                           / np.abs(found[1]).max())
