@@ -1,5 +1,7 @@
 """Material points: where they come from and where they go."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -159,3 +161,20 @@ def test_mixture_rules(box):
         assert np.allclose(case.field("eta"), mean(a, 1, 100), rtol=1e-12)
         assert np.allclose(case.field("etaC"), mean(a, 0.5, 8), rtol=1e-12)
         assert np.allclose(case.field("rho"), a + 4*(1 - a), rtol=1e-12)
+
+
+def test_end_of_a_run(tutorial):
+    """What the run spent, the Courant number it had, what balances."""
+    case = tutorial("shearLayer", control={"endTime": 2e5,
+                                           "writeInterval": 2e5})
+    case.run("cosseratPicFoam")
+    log = case.log()
+    shares = re.search(r"Run: (\d+) steps, .* flow (\S+) %, output (\S+) %,"
+                       r" points (\S+) %, averages (\S+) %\n", log)
+    assert int(shares[1]) == log.count("\nTime = ")
+    assert sum(map(float, shares.groups()[1:])) == pytest.approx(100, abs=1)
+    courant = re.search(r"Largest Courant number (\S+)", log)
+    assert 0.3 < float(courant[1]) <= 0.5
+    power = re.search(r"supplied (\S+) W, dissipated (\S+) W, relative"
+                      r" imbalance (\S+)\n\n?.*Run: ", log, re.S)
+    assert abs(float(power[3])) < 1e-4 and float(power[2]) > 0

@@ -98,8 +98,9 @@ int main(int argc, char *argv[])
 
         #include "readTimeControls.H"
         #include "CourantNo.H"
+        const scalar perSecond = CoNum/runTime.deltaTValue();
         #include "setDeltaT.H"
-        done.courant(CoNum);
+        done.courant(perSecond*runTime.deltaTValue());
 
         ++runTime;
         Info<< nl << "Time = " << runTime.timeName() << nl << endl;

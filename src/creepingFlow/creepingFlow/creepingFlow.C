@@ -410,6 +410,13 @@ void Foam::creepingFlow::summary() const
         << " iterations, at most " << maxIterations_ << " in one, "
         << nUnconverged_ << " not converged" << endl;
 
+    const cosseratSystem::powerTerms last(power());
+    const scalar supply = last.gravity + last.walls + last.pressure;
+    const scalar dissipated = last.viscous + last.bending;
+    Info<< "Power at the end: supplied " << supply << " W, dissipated "
+        << dissipated << " W, relative imbalance "
+        << (supply - dissipated)/max(mag(supply), VSMALL) << endl;
+
     if (nUnconverged_)
     {
         WarningInFunction
