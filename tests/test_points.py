@@ -174,7 +174,8 @@ def test_end_of_a_run(tutorial):
     assert int(shares[1]) == log.count("\nTime = ")
     assert sum(map(float, shares.groups()[1:])) == pytest.approx(100, abs=1)
     courant = re.search(r"Largest Courant number (\S+)", log)
-    assert 0.3 < float(courant[1]) <= 0.5
+    # A step may be a little longer to end at a time that is written
+    assert 0.45 < float(courant[1]) < 0.53
     power = re.search(r"supplied (\S+) W, dissipated (\S+) W, relative"
                       r" imbalance (\S+)\n\n?.*Run: ", log, re.S)
     assert abs(float(power[3])) < 1e-4 and float(power[2]) > 0
