@@ -166,6 +166,24 @@ def test_dune_is_what_its_surface_holds(tutorial):
     assert (grains == (y < height))[clear].all()
 
 
+def test_hopper(tutorial):
+    """What the feed brings is inside to the last point (96 a face in 5.05 s), and
+    as much goes out; the points go on filling the hopper."""
+    case = tutorial("hopper",
+                    mesh={"nx": 12, "nSpout": 3, "nCone": 10, "nBin": 6},
+                    control={"endTime": 5.05, "maxCo": 1})
+    case.run("cosseratPicFoam")
+    old, fresh = (case.table(name, "materialOutflow.dat")[:, 3]
+                  for name in ("old", "fresh"))
+    assert fresh[-1] == pytest.approx(0.1*5, rel=1e-6)
+    area = case.volumes().sum()/0.1
+    assert old[0] == pytest.approx(area, rel=1e-6)
+    assert (old + fresh)[-1] == pytest.approx(area, rel=5e-3)
+    rates = [case.table(name, "surfaceFieldValue.dat")[-1, 1]/0.1
+             for name in ("inflow", "outflow")]
+    assert rates == pytest.approx([-0.1, 0.1], rel=1e-5)
+
+
 def eccentric(path, **substitutes):
     """Error of U between eccentric cylinders, classical fluid."""
     case = without_points(Case.copy(TUTORIALS/"eccentricCylinders", path))

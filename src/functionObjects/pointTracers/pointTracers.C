@@ -25,6 +25,7 @@ License
 #include "materialPointCloud.H"
 #include "creepingFlow.H"
 #include "interpolation.H"
+#include "openfoamVersion.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -70,7 +71,7 @@ void Foam::functionObjects::pointTracers::choose()
         identity_[i] = identity[findMin(distance)];
     }
 
-    Pstream::scatter(identity_);
+    sendToAll(identity_);
 
     strainRate_.setSize(places_.size(), 0);
     rotationRate_.setSize(places_.size(), 0);
@@ -229,7 +230,7 @@ Foam::functionObjects::pointTracers::pointTracers
         files_.setSize(places_.size());
         forAll(places_, i)
         {
-            files_.set(i, createFile("tracer" + Foam::name(i)).ptr());
+            files_.set(i, newOutputFile("tracer" + Foam::name(i)).ptr());
             OFstream& os = files_[i];
             writeHeader
             (

@@ -24,6 +24,7 @@ License
 #include "materialPoint.H"
 #include "IOstreams.H"
 #include "IOField.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -77,7 +78,7 @@ void Foam::materialPoint::readFields(Cloud<materialPoint>& cloud)
 
     auto io = [&](const word& name)
     {
-        return cloud.fieldIOobject(name, IOobject::MUST_READ);
+        return cloudFieldIO(cloud, name, IOobject::MUST_READ);
     };
 
     const IOField<label> material(io("material"), valid);
@@ -107,7 +108,7 @@ void Foam::materialPoint::writeFields(const Cloud<materialPoint>& cloud)
 
     auto io = [&](const word& name)
     {
-        return cloud.fieldIOobject(name, IOobject::NO_READ);
+        return cloudFieldIO(cloud, name, IOobject::NO_READ);
     };
 
     IOField<label> material(io("material"), n);
