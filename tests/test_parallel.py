@@ -1,6 +1,5 @@
 """Several processors, restarts, and runs that were killed."""
 
-import os
 import random
 import shutil
 import signal
@@ -154,7 +153,7 @@ def test_killed_runs_go_on(tmp_path):
                 while len(case.times()) < before + 4 and run.poll() is None:
                     time.sleep(0.002)
                 time.sleep(moments.uniform(0, 0.05))
-                os.kill(run.pid, signal.SIGKILL)
+                run.kill()
                 killed += 1
             log = run.communicate()[0]
         if "is not wholly written" in log:
