@@ -138,7 +138,7 @@ def test_restart_on_other_ranks(serial, tmp_path):
 def test_killed_runs_go_on(tmp_path):
     """kill -9 at three moments; times that are not whole are named and taken
     away; the end is that of the run left alone."""
-    whole = silo(tmp_path/"whole", 3e-4, 1e-6, writeInterval=1e-5)
+    whole = silo(tmp_path/"whole", 1.5e-4, 1e-6, writeInterval=1e-5)
     case = Case(shutil.copytree(whole.path, tmp_path/"killed"))
     whole.run("cosseratPicFoam")
     moments = random.Random(3)
@@ -150,7 +150,7 @@ def test_killed_runs_go_on(tmp_path):
                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as run:
             if killed < 3:
                 # Some steps on, then at any moment of a step
-                while len(case.times()) < before + 4 and run.poll() is None:
+                while len(case.times()) < before + 3 and run.poll() is None:
                     time.sleep(0.002)
                 time.sleep(moments.uniform(0, 0.05))
                 run.kill()
