@@ -23,8 +23,6 @@ License
 
 #include "mumpsFactorisation.H"
 #include "addToRunTimeSelectionTable.H"
-#include "ListListOps.H"
-#include "Pstream.H"
 #include "sigFpe.H"
 
 #include <cstdlib>
@@ -97,13 +95,9 @@ void Foam::mumpsFactorisation::call(const label job)
 
 Foam::mumpsFactorisation::mumpsFactorisation(const label nLocal)
 :
-    nRows_(Pstream::nProcs()),
+    rows_(nLocal),
     mumps_()
 {
-    nRows_[Pstream::myProcNo()] = nLocal;
-    Pstream::gatherList(nRows_);
-    Pstream::scatterList(nRows_);
-
     startMPI();
 
     mumps_.comm_fortran = MPI_Comm_c2f(MPI_COMM_WORLD);
@@ -120,7 +114,7 @@ Foam::mumpsFactorisation::mumpsFactorisation(const label nLocal)
     control(18) = 3;        // spread matrix
     control(28) = 1;        // ordered on the master
 
-    mumps_.n = sum(nRows_);
+    mumps_.n = rows_.size();
 }
 
 
@@ -163,33 +157,14 @@ void Foam::mumpsFactorisation::factorise(const sparseEntries& entries)
 
 void Foam::mumpsFactorisation::solve(scalarField& b)
 {
-    List<scalarField> parts(Pstream::nProcs());
-    parts[Pstream::myProcNo()].transfer(b);
-    Pstream::gatherList(parts);
+    rows_.gather(b, all_);
 
-    if (Pstream::master())
-    {
-        all_ = ListListOps::combine<scalarField>
-        (
-            parts, accessOp<scalarField>()
-        );
-    }
     mumps_.rhs = all_.begin();
     mumps_.nrhs = 1;
 
     call(3);
 
-    if (Pstream::master())
-    {
-        label start = 0;
-        for (scalarField& part : parts)
-        {
-            part = SubList<scalar>(all_, part.size(), start);
-            start += part.size();
-        }
-    }
-    Pstream::scatterList(parts);
-    b.transfer(parts[Pstream::myProcNo()]);
+    rows_.scatter(all_, b);
 }
 
 

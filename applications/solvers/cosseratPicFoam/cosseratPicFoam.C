@@ -51,6 +51,7 @@ Usage
 SourceFiles
     cosseratPicFoam.C
     checkTimeControls.H
+    continuedTime.C
     createGravity.H
     createPoints.H
     progress.H
@@ -58,6 +59,7 @@ SourceFiles
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "continuedTime.H"
 #include "creepingFlow.H"
 #include "materialPointCloud.H"
 #include "progress.H"
@@ -73,7 +75,7 @@ int main(int argc, char *argv[])
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
-    #include "createTime.H"
+    continuedTime runTime(args);
     #include "createMesh.H"
     #include "createTimeControls.H"
     #include "checkTimeControls.H"

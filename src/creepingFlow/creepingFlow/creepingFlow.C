@@ -355,6 +355,9 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
     nIterations_(0),
     maxIterations_(0)
 {
+    // Lest decomposing a written time leaves out the signs of turned faces
+    phi_.setOriented();
+
     checkedEntry::only
     (
         controls_,

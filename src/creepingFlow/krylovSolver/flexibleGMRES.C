@@ -48,6 +48,23 @@ void Foam::flexibleGMRES::weightedResidual
 }
 
 
+void Foam::flexibleGMRES::removeMotions(scalarField& x) const
+{
+    const scalarField& weights = preconditioner_.weights();
+    const scalarField before(x);
+
+    motions_.removeFromSolution(x);
+
+    // By rounding they are never quite gone: taken out again at a restart, a
+    // run would go on from other numbers than the one that was not stopped
+    const scalar change = gSumSqr(scalarField((x - before)/weights));
+    if (change < sqr(1e-12)*gSumSqr(scalarField(before/weights)))
+    {
+        x = before;
+    }
+}
+
+
 Foam::flexibleGMRES::residuals Foam::flexibleGMRES::norms
 (
     const scalarField& r,
@@ -238,7 +255,7 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve(scalarField& x)
         return result;
     }
 
-    motions_.removeFromSolution(x);
+    removeMotions(x);
     weightedResidual(x, r, true);
     scalar residual = Foam::sqrt(gSumSqr(r))/reference;
     result.initial = norms(r, reference);

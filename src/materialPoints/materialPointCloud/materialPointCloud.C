@@ -49,6 +49,26 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::materialPointCloud::checkStart() const
+{
+    const Time& time = mesh_.time();
+    IOobject io("time", time.timeName(), "uniform", time);
+
+    if (io.typeHeaderOk<IOdictionary>(false))
+    {
+        FatalErrorInFunction
+            << "Time " << time.timeName() << " of " << time.path()
+            << " has been written by a run, but there are no points in "
+            << time.timeName()/cloud::prefix/cloudName << nl
+            << "    Cures: start from another time; or, to seed points anew at"
+            << " this one, delete " << time.timeName() << "/uniform"
+            << exit(FatalError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::materialPointCloud::materialPointCloud
@@ -90,6 +110,7 @@ Foam::materialPointCloud::materialPointCloud
     const bool restart = nPoints() > 0;
     if (!restart)
     {
+        checkStart();
         seeding_.seed(*this);
     }
 

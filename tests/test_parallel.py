@@ -1,0 +1,255 @@
+"""Several processors, restarts, and runs that were killed."""
+
+import random
+import shutil
+import signal
+import subprocess
+import time
+
+import numpy as np
+import pytest
+
+from cosserat.box import add_points
+from cosserat.case import TUTORIALS, Case, RunError
+from studies.parallel import compare, costs
+from studies.siloDischarge import mesh_entries
+
+
+def silo(path, end=1e-4, tolerance=1e-10, **control):
+    """A silo of half the resolution, meshed; ten steps or so."""
+    case = Case.copy(TUTORIALS/"silo", path)
+    case.substitute("system/blockMeshDict", mesh_entries(4))
+    case.substitute("system/fvSolution", {"tolerance": tolerance})
+    case.substitute("system/controlDict", {
+        "endTime": end, "deltaT": 1e-5, "adjustTimeStep": "no",
+        "writeInterval": 5e-5, "writePrecision": 17, **control})
+    case.run("blockMesh")
+    return case
+
+
+def decompose(case, ranks, method, n="(2 1 1)"):
+    """Decompose the latest time."""
+    case.substitute("system/decomposeParDict", {
+        "numberOfSubdomains": ranks, "method": method, "n": n})
+    case.run("decomposePar", "-latestTime", "-force")
+
+
+def cut(case, n):
+    """Decompose a box, which has no dictionary for it, by simple."""
+    ranks = np.prod([int(i) for i in n.strip("()").split()])
+    (case.path/"system/decomposeParDict").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary; object x; }\n"
+        f"numberOfSubdomains {ranks}; method simple;\n"
+        f"simpleCoeffs {{ n {n}; }}\n")
+    case.run("decomposePar", "-latestTime", "-force")
+    return int(ranks)
+
+
+@pytest.fixture(name="serial", scope="module")
+def serial_fixture(tmp_path_factory):
+    """Ten steps on one processor, with block multigrid and direct."""
+    cases = {}
+    for block in ("automatic", "direct"):
+        case = silo(tmp_path_factory.mktemp(block)/"case")
+        choose(case, block)
+        case.run("cosseratPicFoam")
+        cases[block] = case
+    return cases
+
+
+def choose(case, block):
+    """Set the preconditioner's block."""
+    case.substitute("system/fvSolution", {
+        "tolerance": f"1e-10; preconditioner {{ block {block}; }} maxIter 300"})
+
+
+@pytest.mark.parametrize("method, ranks, n, block", [
+    ("simple", 4, "(2 2 1)", "automatic"),
+    ("hierarchical", 3, "(1 3 1)", "automatic"),
+    ("scotch", 2, "(2 1 1)", "direct")])
+def test_decompositions(serial, tmp_path, method, ranks, n, block):
+    """Fields of one processor, measured within 2e-9 (direct: 2e-12), the same
+    points, no more than a tenth more iterations."""
+    case = silo(tmp_path/"case")
+    choose(case, block)
+    decompose(case, ranks, method, n)
+    case.run("cosseratPicFoam", ranks=ranks)
+    case.run("reconstructPar", "-latestTime")
+    row = compare(case, serial[block])
+    for name in ("U", "p", "omega"):
+        assert row[f"diff{name}"] < (1e-8 if block == "automatic" else 1e-10)
+    assert row["points"] == len(serial[block].cloud("dye"))
+    assert row["diffPoints"] < 1e-8
+    assert row["volume"] == pytest.approx(
+        serial[block].cloud("volume").sum(), rel=1e-12)
+    assert (costs(case)["iterations"]
+            <= 1.1*costs(serial[block])["iterations"])
+
+
+def files(case, ranks):
+    """Content of the files of the latest time, by name."""
+    contents = {}
+    for rank in range(ranks):
+        path = case.path/(f"processor{rank}" if ranks > 1 else ".")
+        last = path/Case(path).times()[-1]
+        for file in last.rglob("*"):
+            if file.is_file():
+                contents[rank, str(file.relative_to(last))] = file.read_bytes()
+    return contents
+
+
+@pytest.mark.parametrize("form, adjust, ranks", [
+    ("ascii", "no", 1), ("binary", "yes", 1), ("ascii", "yes", 2)])
+def test_restart_is_bitwise(tmp_path, form, adjust, ranks):
+    """Stopped and gone on: every file of the end is that of the run that was
+    not stopped, with steps fixed or adjusted, older times purged."""
+    whole = silo(tmp_path/"whole", 1.5e-4, 1e-6, writeFormat=form,
+                 adjustTimeStep=adjust, purgeWrite=2)
+    if ranks > 1:
+        decompose(whole, ranks, "scotch")
+    half = Case(shutil.copytree(whole.path, tmp_path/"half"))
+    whole.run("cosseratPicFoam", ranks=ranks)
+    half.substitute("system/controlDict", {"endTime": 5e-5})
+    half.run("cosseratPicFoam", ranks=ranks)
+    half.substitute("system/controlDict", {"endTime": 1.5e-4})
+    half.run("cosseratPicFoam", ranks=ranks)
+    assert " read, " in half.log()
+    expected, found = files(whole, ranks), files(half, ranks)
+    assert len(expected) >= 20*ranks
+    assert expected.keys() == found.keys()
+    assert [name for name in expected if expected[name] != found[name]] == []
+
+
+def test_restart_on_other_ranks(serial, tmp_path):
+    """Half on one processor, the rest on three: the same to the tolerance."""
+    case = silo(tmp_path/"case", 5e-5)
+    case.run("cosseratPicFoam")
+    decompose(case, 3, "scotch")
+    case.substitute("system/controlDict", {"endTime": 1e-4})
+    case.run("cosseratPicFoam", ranks=3)
+    case.run("reconstructPar", "-latestTime")
+    assert " read, " in case.log()
+    row = compare(case, serial["automatic"])
+    assert max(row["diffU"], row["diffp"], row["diffomega"]) < 1e-8
+    assert row["points"] == len(serial["automatic"].cloud("dye"))
+    assert row["diffPoints"] < 1e-8
+
+
+def test_killed_runs_go_on(tmp_path):
+    """kill -9 at three moments; times that are not whole are named and taken
+    away; the end is that of the run left alone."""
+    whole = silo(tmp_path/"whole", 1.5e-4, 1e-6, writeInterval=1e-5)
+    case = Case(shutil.copytree(whole.path, tmp_path/"killed"))
+    whole.run("cosseratPicFoam")
+    moments = random.Random(3)
+    killed = 0
+    while killed < 3 or not (case.path/whole.times()[-1]).exists():
+        before = len(case.times())
+        with subprocess.Popen(
+                ["cosseratPicFoam"], cwd=case.path, text=True,
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as run:
+            if killed < 3:
+                # Some steps on, then at any moment of a step
+                while len(case.times()) < before + 3 and run.poll() is None:
+                    time.sleep(0.002)
+                time.sleep(moments.uniform(0, 0.05))
+                run.kill()
+                killed += 1
+            log = run.communicate()[0]
+        if "is not wholly written" in log:
+            assert f"Time {case.times()[-1]} of" in log
+        else:
+            assert run.returncode in (0, -signal.SIGKILL), log[-2000:]
+        last = case.path/case.times()[-1]
+        if not (last/"uniform/written").exists():
+            shutil.rmtree(last)
+    assert files(case, 1) == files(whole, 1)
+
+
+def test_half_written_times_are_named(tmp_path):
+    """What is missing or cut short stops the restart; nothing is seeded anew."""
+    whole = silo(tmp_path/"whole", 1e-4, 1e-6, writeInterval=5e-5)
+    whole.run("cosseratPicFoam")
+    first, last = whole.times()
+
+    def shorten(path):
+        text = path.read_text()
+        path.write_text(text[:2*len(text)//3])
+
+    faults = [
+        (lambda t: (t/"uniform/written").unlink(),
+         rf"Time {last} of .* is not wholly written[^!]* before is {first}"),
+        (lambda t: shutil.rmtree(t/"lagrangian"),
+         f'Time {last} of .* there are no points in "{last}/lagrangian'),
+        (lambda t: shorten(t/"lagrangian/materialPoints/coordinates"),
+         "lagrangian/materialPoints/coordinates"),
+        (lambda t: shorten(t/"lagrangian/materialPoints/material"),
+         "lagrangian/materialPoints/material"),
+        (lambda t: (t/"lagrangian/materialPoints/volume").unlink(),
+         "lagrangian/materialPoints/volume"),
+        (lambda t: shorten(t/"U"), f"{last}/U"),
+    ]
+    for i, (spoil, message) in enumerate(faults):
+        case = Case(shutil.copytree(whole.path, tmp_path/str(i)))
+        spoil(case.path/last)
+        case.substitute("system/controlDict", {"endTime": 2e-4})
+        with pytest.raises(RunError, match=message):
+            case.run("cosseratPicFoam")
+        assert case.times()[-1] == last
+
+
+@pytest.mark.parametrize("n", ["(8 1 1)", "(2 4 1)"])
+def test_points_cross_several_processors(box, n):
+    """A rigid motion to the right by 3.2 cells a step, cyclic: slabs of one
+    cell, and cyclic patches that are cut."""
+    wall = ("type fixedValue; value uniform (1 0 0);", "type zeroGradient;")
+    case = box(n=8, cyclic=True, walls={"bottom": wall, "top": wall},
+               materials={"a": {"eta": 1, "etaC": 0, "R": 0}})
+    add_points(case, "{ type all; material a; }", pointsPerCell=4)
+    case.substitute("system/controlDict", {
+        "endTime": 2, "deltaT": 0.4, "writeInterval": 5})
+    ranks = cut(case, n)
+    case.run("cosseratPicFoam", ranks=ranks)
+    case.run("reconstructPar")
+    assert np.allclose(case.field("U"), [1, 0, 0], atol=1e-9)
+    # Twice around: where they were
+    places = case.cloud("positions")[:, :2]
+    assert len(places) == 256
+    grid = np.floor(places*16)/16 + 1/32
+    assert np.abs(places - grid).max() < 1e-8
+    assert len(np.unique(grid, axis=0)) == 256
+
+
+def test_processor_without_points(box):
+    """Points of the right half only, carried to the left one, which had none."""
+    wall = ("type fixedValue; value uniform (-1 0 0);", "type zeroGradient;")
+    case = box(n=8, cyclic=True, walls={"bottom": wall, "top": wall},
+               materials={"a": {"eta": 1, "etaC": 0, "R": 0}})
+    add_points(case, "{ type all; material a; }", pointsPerCell=4,
+               minPointsPerCell=0)
+    case.substitute("system/controlDict", {
+        "startFrom": "latestTime", "endTime": 0.01, "deltaT": 0.01})
+    case.run("cosseratPicFoam")
+    cloud = case.path/case.times()[-1]/"lagrangian/materialPoints"
+    right = case.cloud("positions")[:, 0] > 0
+    for file in cloud.iterdir():
+        head, _, rest = file.read_text().partition("* * //\n")
+        body = rest[:rest.index("// ***")].strip()
+        if "{" in body:
+            body = body.replace("256", str(right.sum()), 1)
+        else:
+            rows = body[body.index("(") + 1:body.rindex(")")].strip().split("\n")
+            body = "\n".join([str(right.sum()), "(", *(
+                row for row, keep in zip(rows, right) if keep), ")"])
+        file.write_text(f"{head}* * //\n{body}\n")
+    case.substitute("system/controlDict", {
+        "endTime": 0.46, "deltaT": 0.05, "writeInterval": 10})
+    ranks = cut(case, "(2 1 1)")
+    assert not (case.path/"processor0"/cloud.relative_to(case.path)
+                /"material").exists()
+    case.run("cosseratPicFoam", ranks=ranks)
+    case.run("reconstructPar", "-latestTime")
+    x = case.cloud("positions")[:, 0]
+    assert len(x) == right.sum()
+    expected = np.repeat(np.arange(8)/16 + 1/32 - 0.46, 16)
+    assert np.abs(np.sort(x) - expected).max() < 1e-8
