@@ -76,13 +76,14 @@ def distance(a, b):
     return float(np.linalg.norm((a - b)[known])/np.linalg.norm(b[known]))
 
 
-def extrapolate(coarse, middle, fine, ratio=2.0, orders=(0.5, 3.0)):
+def extrapolate(coarse, middle, fine, ratio=2.0, orders=(1.0, 3.0)):
     """Limit of results on three meshes, each finer by `ratio`, by Richardson:
 
         p = log(|middle - coarse|/|fine - middle|)/log(ratio), within orders
         limit = fine + (fine - middle)/(ratio^p - 1)
 
-    Returns limit, p and its uncertainty: what the extrapolation has added,
+    Below order one results have not begun to converge, and the limit is but
+    a guess. Returns limit, p and its uncertainty: what the extrapolation has added,
     |limit - fine|/|limit|."""
     coarse, middle, fine = (np.asarray(q, float)
                             for q in (coarse, middle, fine))
