@@ -94,7 +94,7 @@ def draw_gain(rows):
         axis.set_title(TITLES[scene], fontsize=8)
         axis.grid(axis="x", alpha=0.3)
     axes[0].set_yticks(range(len(labels)), [
-        f"{key} {value}" if key != "cells" else f"cells, level {i + 1 + (i > 1)}"
+        f"{key} {value}" if key != "cells" else f"cells, other level {i + 1}"
         for i, (key, value) in enumerate(labels)], fontsize=7)
     axes[0].invert_yaxis()
     axes[0].legend(fontsize=7)
@@ -123,6 +123,7 @@ def draw_lines(rows):
     axes[2].set_ylabel("error of the classical velocity")
     for axis in axes:
         axis.grid(alpha=0.3)
+    for axis in axes[::2]:
         axis.legend(fontsize=7)
     save(figure, "speedAccuracy-limits")
     plt.close(figure)
