@@ -11,7 +11,7 @@ from cosserat.analytic import GravityChannel, Material, ShearLayer, err
 from cosserat.case import FILES, RunError, residuals
 from cosserat.picture import outflow
 from cosserat.tradeoff import (distance, extrapolate, front, override)
-from studies.common import constant_material, cpu_seconds, new_case
+from studies.common import PAPER, constant_material, cpu_seconds, new_case
 from studies.siloDischarge import mesh_entries
 from studies.speedAccuracyFigures import draw
 
@@ -271,6 +271,44 @@ def classical():
     return rows
 
 
+PRESETS = ["fast", "balanced", "accurate"]
+PRESET_FILES = {"points": "points", "solution": "flow",
+                "control": "control"}
+
+
+def include_preset(case, preset, cells):
+    """The lines by which a case takes a preset; cells a side of balanced."""
+    include = f'#include "$COSSERATPIC_ETC/presets/{preset}/'
+    for file, name in PRESET_FILES.items():
+        with (case.path/FILES[file]).open("a") as text:
+            text.write(f'\n{include}{name}"\n')
+    path = case.path/FILES["mesh"]
+    path.write_text(re.sub(
+        r"^n\s+\d+;", f"""{include}mesh"
+cells {{ fast {cells//2}; balanced {cells}; accurate {2*cells}; }}
+n ${{cells.${{preset}}}};""", path.read_text(), flags=re.M))
+
+
+def channel(preset, cells=48):
+    """Row of the gravity channel with its dye; error is that of omega."""
+    case = new_case("speedAccuracy", "channel", "gravityChannel")
+    constant_material(case, PAPER, rho=1)
+    path = case.path/"constant/g"
+    path.write_text(re.sub(r"value.*;", "value (1 0 0);", path.read_text()))
+    include_preset(case, preset, cells)
+    case.run("blockMesh")
+    case.run("cosseratPicFoam")
+    n = round(case.n_cells()**0.5)
+    y = np.repeat((np.arange(n) + 0.5)/n - 0.5, n)
+    exact = GravityChannel(PAPER, 1, 1)
+    return {"scene": "gravityChannel", "preset": preset, "cells": n,
+            "cpu": max(cpu_seconds(case.log()), 0.01),
+            "steps": case.log().count("\nStep "),
+            "error": err(exact.omega(y), case.field("omega")),
+            "errorU": err(exact.u(y), case.field("U")[:, 0]),
+            "errorUncertainty": 0.0}
+
+
 #: Settings of the reference of the scene that checks the presets
 REFERENCE = {"tolerance": 1e-7, "pointsPerCell": 25}
 
@@ -291,15 +329,7 @@ def overturn(name, cells, preset=None, **settings):
         text.write("\nmaxDeltaT 5;\n")
     override(case, FILES, **settings)
     if preset:
-        include = f'#include "$COSSERATPIC_ETC/presets/{preset}/'
-        for file, name in PRESET_FILES.items():
-            with (case.path/FILES[file]).open("a") as text:
-                text.write(f'\n{include}{name}"\n')
-        path = case.path/FILES["mesh"]
-        path.write_text(re.sub(
-            r"^n\s+\d+;", f"""{include}mesh"
-cells {{ fast {cells//2}; balanced {cells}; accurate {2*cells}; }}
-n ${{cells.${{preset}}}};""", path.read_text(), flags=re.M))
+        include_preset(case, preset, cells)
     case.run("blockMesh")
     case.run("cosseratPicFoam")
     rows = case.table("vrms", "volFieldValue.dat")
@@ -312,18 +342,13 @@ n ${{cells.${{preset}}}};""", path.read_text(), flags=re.M))
             "value": float(speed.max())}, speed
 
 
-PRESETS = ["fast", "balanced", "accurate"]
-PRESET_FILES = {"points": "points", "solution": "flow",
-                "control": "control"}
-
-
 def check_presets():
-    """Rows of the presets in the scene that did not choose them."""
+    """Rows of the presets in the scenes that did not choose them."""
+    rows = [channel(preset) for preset in PRESETS]
     limit, order, uncertainty = extrapolate(*(
         overturn("overturn", n, **REFERENCE)[1] for n in (24, 48, 96)))
     print(f"rayleighTaylor: reference of order {order:.2f}, uncertain by"
           f" {uncertainty:.2e}", flush=True)
-    rows = []
     for preset in PRESETS:
         row, speed = overturn("overturn", CHECK_CELLS, preset)
         rows.append({**row, "error": distance(speed, limit),
@@ -341,8 +366,8 @@ def study():
     the run failed), value (speed of the inclusion [m/s], fall [m], outflow
     [m2]; of the layer the miss of its points), valueError, steps, iterations,
     added (points). Of the scene classical: RoverL, errorInclusion,
-    errorChannel, errorLayer, cpu, cpuClassical. Of rayleighTaylor: preset,
-    cells, cpu, error, errorUncertainty."""
+    errorChannel, errorLayer, cpu, cpuClassical. Of gravityChannel and
+    rayleighTaylor: preset, cells, cpu, error, errorUncertainty."""
     rows = []
     for scene in CELLS:
         rows += explore(scene)
