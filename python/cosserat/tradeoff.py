@@ -83,8 +83,8 @@ def extrapolate(coarse, middle, fine, ratio=2.0, orders=(1.0, 3.0)):
         limit = fine + (fine - middle)/(ratio^p - 1)
 
     Below order one results have not begun to converge, and the limit is but
-    a guess. Returns limit, p and its uncertainty: what the extrapolation has added,
-    |limit - fine|/|limit|."""
+    a guess. Returns limit, p and its uncertainty: what the extrapolation has
+    added, |limit - fine|/|limit|."""
     coarse, middle, fine = (np.asarray(q, float)
                             for q in (coarse, middle, fine))
     steps = [np.linalg.norm(np.nan_to_num(q))

@@ -4,6 +4,7 @@ scene that did not choose them."""
 
 import re
 import shutil
+from functools import lru_cache
 
 import numpy as np
 
@@ -11,7 +12,8 @@ from cosserat.analytic import GravityChannel, Material, ShearLayer, err
 from cosserat.case import FILES, RunError, residuals
 from cosserat.picture import outflow
 from cosserat.tradeoff import (distance, extrapolate, front, override)
-from studies.common import PAPER, constant_material, cpu_seconds, new_case
+from studies.common import (HERE, PAPER, constant_material, cpu_seconds,
+                            new_case)
 from studies.siloDischarge import mesh_entries
 from studies.speedAccuracyFigures import draw
 
@@ -101,8 +103,9 @@ def blocks(case):
 
 def measure(scene, case):
     """Results that are compared, and one of them as a plain number: velocity
-    in blocks and speed [m/s], fall [m] or outflow at ten times and the last [m2]; of the
-    layer the errors of omega, u and of the way of its points."""
+    in blocks and speed [m/s], fall [m] or outflow [m2] at ten times and at the
+    last; of the layer the errors of omega and u, and of the way of its
+    points."""
     if scene == "silo":
         rows = outflow(case)
         q = np.interp(END["silo"]*np.arange(1, 11)/10, rows[:, 0], rows[:, 1])
@@ -133,21 +136,18 @@ def measure(scene, case):
     return errors, float(np.sqrt((miss**2).mean()/(way**2).mean()))
 
 
-def poisson_seconds(scene, cells, known={}):
+@lru_cache(maxsize=None)
+def poisson_seconds(scene, cells):
     """Time of a Poisson solve on the mesh of a scene [s]."""
-    # pylint: disable=dangerous-default-value
-    if (scene, cells) not in known:
-        case = make(scene, f"{scene}-poisson", cells)
-        log = case.run("Test-solveCost", "-repeat", 3).stdout
-        known[scene, cells] = float(
-            re.search(r"poissonSeconds (\S+)", log)[1])
-    return known[scene, cells]
+    log = make(scene, f"{scene}-poisson", cells).run(
+        "Test-solveCost", "-repeat", 3).stdout
+    return float(re.search(r"poissonSeconds (\S+)", log)[1])
 
 
 def run(scene, cells, **settings):
     """A row without its error, and the results; None where the run failed."""
     settings = {**DEFAULT, **settings}
-    case = make(scene, f"{scene}", cells)
+    case = make(scene, scene, cells)
     override(case, FILES, **{
         key: value for key, value in settings.items()
         if key not in ("viscosityAverage", "volumeCorrection")
@@ -375,5 +375,5 @@ def study():
     rows += classical()
     rows += check_presets()
     draw(rows)
-    shutil.rmtree(make("shearLayer", "poisson", 16).path.parent)
+    shutil.rmtree(HERE/"runs/speedAccuracy")
     return rows
