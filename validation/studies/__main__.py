@@ -4,11 +4,14 @@ import importlib
 import sys
 from time import time
 
+from studies import tradeOff
 from studies.common import NAMES, write
 
 
 def main():
     """The command line."""
+    if sys.argv[1:2] == ["tradeOff"]:
+        return tradeOff.main(sys.argv[2:])
     names = sys.argv[1:] or NAMES
     for name in names:
         if name not in NAMES:
@@ -19,6 +22,7 @@ def main():
         rows = importlib.import_module(f"studies.{name}").study()
         path = write(name, rows)
         print(f"{path}: {len(rows)} rows, {time() - start:.0f} s", flush=True)
+    return None
 
 
 if __name__ == "__main__":

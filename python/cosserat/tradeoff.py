@@ -1,0 +1,107 @@
+"""Accuracy and cost of runs: settings that override those of a case,
+restriction to a coarse mesh, Richardson extrapolation, Pareto front."""
+
+import re
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+#: Setting: the dictionary (short name of Case) and its entry there
+SETTINGS = {
+    "pointsPerCell": ("points", "seeding {{ pointsPerCell {}; }}"),
+    "velocity": ("points", "velocity {};"),
+    "integration": ("points", "integration {};"),
+    "coupling": ("points", "coupling {};"),
+    "average": ("points", "average {};"),
+    "volumeCorrection": ("points", "volumeCorrection {};"),
+    "viscosityAverage": ("materials", "viscosityAverage {};"),
+    "tolerance": ("solution", "creepingFlow {{ tolerance {}; }}"),
+    "nVcycles": ("solution", "creepingFlow {{ preconditioner {{"
+                 " preconditioner GAMG; nVcycles {}; nPostSweeps 1;"
+                 " nFinestSweeps 1; smoother GaussSeidel; }} }}"),
+    "stabilisation": ("solution",
+                      "creepingFlow {{ freeSurfaceStabilisation {}; }}"),
+    "maxCo": ("control", "adjustTimeStep yes; maxCo {};"),
+}
+
+
+def override(case, files, **settings):
+    """Add entries at the end of a case's dictionaries, where they prevail.
+
+    files: short name: path in the case (cosserat.case.FILES); settings: of
+    SETTINGS by name, others raise KeyError."""
+    for name, value in settings.items():
+        file, entry = SETTINGS[name]
+        with (case.path/files[file]).open("a") as text:
+            text.write(f"\n{entry.format(value)}\n")
+    return case
+
+
+def refine(case, factor):
+    """Multiply the cells of every block of system/blockMeshDict, but not a
+    direction of one cell; each stays at least one."""
+    blocks = case.run("foamDictionary", "system/blockMeshDict", "-entry",
+                      "blocks", "-value", log=False).stdout
+    blocks = re.search(r"^\(.*", blocks, re.M | re.S)[0]
+
+    def scaled(match):
+        cells = [n if n == 1 else max(1, round(n*factor))
+                 for n in map(int, match[2].split())]
+        return f"{match[1]}({' '.join(map(str, cells))})"
+
+    blocks, found = re.subn(
+        r"(hex\s*\([\d\s]+\)\s*(?:\w+\s*)?)\(\s*(\d+\s+\d+\s+\d+)\s*\)",
+        scaled, blocks)
+    if not found:
+        raise ValueError(f"no blocks in {case.path}/system/blockMeshDict")
+    with (case.path/"system/blockMeshDict").open("a") as text:
+        text.write(f"\nblocks {blocks.strip()};\n")
+
+
+def restrict(centres, volumes, values, coarse):
+    """Means of values, weighted by volume, of the cells that are nearest to
+    each centre of a coarser mesh; NaN where there is none."""
+    nearest = cKDTree(coarse[:, :2]).query(centres[:, :2])[1]
+    weight = np.bincount(nearest, volumes, len(coarse))
+    sums = [np.bincount(nearest, volumes*column, len(coarse))
+            for column in np.reshape(values, (len(values), -1)).T]
+    with np.errstate(invalid="ignore"):
+        return np.column_stack(sums)/weight[:, None]
+
+
+def distance(a, b):
+    """Relative distance |a - b|/|b| in the Euclidean norm."""
+    a, b = np.ravel(a), np.ravel(b)
+    known = np.isfinite(a) & np.isfinite(b)
+    return float(np.linalg.norm((a - b)[known])/np.linalg.norm(b[known]))
+
+
+def extrapolate(coarse, middle, fine, ratio=2.0, orders=(1.0, 3.0)):
+    """Limit of results on three meshes, each finer by `ratio`, by Richardson:
+
+        p = log(|middle - coarse|/|fine - middle|)/log(ratio), within orders
+        limit = fine + (fine - middle)/(ratio^p - 1)
+
+    Below order one results have not begun to converge, and the limit is but
+    a guess. Returns limit, p and its uncertainty: what the extrapolation has
+    added, |limit - fine|/|limit|."""
+    coarse, middle, fine = (np.asarray(q, float)
+                            for q in (coarse, middle, fine))
+    steps = [np.linalg.norm(np.nan_to_num(q))
+             for q in (middle - coarse, fine - middle)]
+    order = orders[1]
+    if steps[1] > 0:
+        order = float(np.clip(np.log(max(steps[0], 1e-300)/steps[1])
+                              / np.log(ratio), *orders))
+    limit = fine + (fine - middle)/(ratio**order - 1)
+    return limit, order, distance(fine, limit)
+
+
+def front(costs, errors):
+    """True for each run that no other beats in both cost and error; runs
+    without an error (None) are never on the front."""
+    return [error is not None and not any(
+        other is not None and c <= cost and other <= error
+        and (c < cost or other < error)
+        for c, other in zip(costs, errors))
+        for cost, error in zip(costs, errors)]
