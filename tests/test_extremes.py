@@ -22,7 +22,7 @@ ROWS = [
     ({"coupling": 10.0, "R": 1e-6}, 29, "direct"),
     ({"coupling": 10.0, "R": 1.0}, 45, "direct"),
     ({"aspect": 3.0}, 44, "multigrid"),
-    ({"graded": 100.0}, 82, "multigrid"),
+    ({"graded": 100.0}, 80, "multigrid"),
     ({"B": 1e6}, 50, "multigrid"),
 ]
 

@@ -29,8 +29,9 @@ License
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
 //- Share of the squared length of a vector that must remain when others are
-//- taken out, lest what remains be no longer orthogonal to them
-static const Foam::scalar remaining = 0.1;
+//- taken out, lest what remains be no longer orthogonal to them: with a tenth
+//- sheared meshes take 92 iterations instead of 41
+static const Foam::scalar remaining = 0.5;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

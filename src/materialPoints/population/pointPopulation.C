@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointPopulation.H"
+#include "bitSet.H"
 #include "materialPointCloud.H"
 #include "syncTools.H"
 
@@ -253,18 +254,19 @@ Foam::label Foam::pointPopulation::refill(materialPointCloud& cloud) const
     }
 
     // The points of cells that are low and of the neighbours of empty ones
-    boolList low(mesh_.nCells(), false);
+    bitSet low(mesh_.nCells());
     bool any = false;
     forAll(count, celli)
     {
         if (count[celli] < minPointsPerCell_)
         {
-            low[celli] = any = true;
+            low.set(celli);
+            any = true;
             if (count[celli] == 0)
             {
                 for (const label other : mesh_.cellCells()[celli])
                 {
-                    low[other] = true;
+                    low.set(other);
                 }
             }
         }
