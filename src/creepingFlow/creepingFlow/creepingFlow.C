@@ -414,11 +414,9 @@ void Foam::creepingFlow::summary() const
         << nUnconverged_ << " not converged" << endl;
 
     const cosseratSystem::powerTerms last(power());
-    const scalar supply = last.gravity + last.walls + last.pressure;
-    const scalar dissipated = last.viscous + last.bending;
-    Info<< "Power at the end: supplied " << supply << " W, dissipated "
-        << dissipated << " W, relative imbalance "
-        << (supply - dissipated)/max(mag(supply), VSMALL) << endl;
+    Info<< "Power at the end: supplied " << last.supplied()
+        << " W, dissipated " << last.dissipated()
+        << " W, relative imbalance " << last.imbalance() << endl;
 
     if (nUnconverged_)
     {

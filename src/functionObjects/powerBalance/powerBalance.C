@@ -85,9 +85,6 @@ bool Foam::functionObjects::powerBalance::execute()
         mesh_.lookupObject<creepingFlow>(creepingFlow::typeName);
 
     const cosseratSystem::powerTerms power(flow.power());
-    const scalar supply = power.gravity + power.walls + power.pressure;
-    const scalar imbalance =
-        (supply - power.viscous - power.bending)/max(mag(supply), VSMALL);
     const scalar dissipation =
         gSum(flow.dissipation()().primitiveField()*mesh_.V());
 
@@ -99,7 +96,7 @@ bool Foam::functionObjects::powerBalance::execute()
             const scalar value :
             {
                 power.gravity, power.walls, power.pressure, power.viscous,
-                power.bending, imbalance, dissipation
+                power.bending, power.imbalance(), dissipation
             }
         )
         {
@@ -108,9 +105,9 @@ bool Foam::functionObjects::powerBalance::execute()
         file() << endl;
     }
 
-    Log << type() << ' ' << name() << ": supplied " << supply
-        << " W, dissipated " << power.viscous + power.bending
-        << " W, relative imbalance " << imbalance << endl;
+    Log << type() << ' ' << name() << ": supplied "
+        << power.supplied() << " W, dissipated " << power.dissipated()
+        << " W, relative imbalance " << power.imbalance() << endl;
 
     return true;
 }

@@ -41,7 +41,7 @@ void Foam::volumeCorrection::apply
 ) const
 {
     const label n = fractions.size();
-    if (!active_ || n == 0)
+    if (!active_)
     {
         return;
     }

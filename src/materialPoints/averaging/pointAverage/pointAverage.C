@@ -65,11 +65,6 @@ void Foam::pointAverage::fractions
     PtrList<volScalarField>& alphas
 ) const
 {
-    if (alphas.empty())
-    {
-        return;
-    }
-
     for (volScalarField& alpha : alphas)
     {
         alpha.primitiveFieldRef() = 0;
