@@ -220,6 +220,22 @@ def test_points_cross_several_processors(box, n):
     assert len(np.unique(grid, axis=0)) == 256
 
 
+def keep_points(case, chosen):
+    """Take all other points away from the latest time; the cloud's folder."""
+    cloud = case.path/case.times()[-1]/"lagrangian/materialPoints"
+    for file in cloud.iterdir():
+        head, _, rest = file.read_text().partition("* * //\n")
+        body = rest[:rest.index("// ***")].strip()
+        if "{" in body:
+            body = body.replace(str(len(chosen)), str(chosen.sum()), 1)
+        else:
+            rows = body[body.index("(") + 1:body.rindex(")")].strip().split("\n")
+            body = "\n".join([str(chosen.sum()), "(", *(
+                row for row, keep in zip(rows, chosen) if keep), ")"])
+        file.write_text(f"{head}* * //\n{body}\n")
+    return cloud
+
+
 def test_processor_without_points(box):
     """Points of the right half only, carried to the left one, which had none."""
     wall = ("type fixedValue; value uniform (-1 0 0);", "type zeroGradient;")
@@ -230,18 +246,8 @@ def test_processor_without_points(box):
     case.substitute("system/controlDict", {
         "startFrom": "latestTime", "endTime": 0.01, "deltaT": 0.01})
     case.run("cosseratPicFoam")
-    cloud = case.path/case.times()[-1]/"lagrangian/materialPoints"
     right = case.cloud("positions")[:, 0] > 0
-    for file in cloud.iterdir():
-        head, _, rest = file.read_text().partition("* * //\n")
-        body = rest[:rest.index("// ***")].strip()
-        if "{" in body:
-            body = body.replace("256", str(right.sum()), 1)
-        else:
-            rows = body[body.index("(") + 1:body.rindex(")")].strip().split("\n")
-            body = "\n".join([str(right.sum()), "(", *(
-                row for row, keep in zip(rows, right) if keep), ")"])
-        file.write_text(f"{head}* * //\n{body}\n")
+    cloud = keep_points(case, right)
     case.substitute("system/controlDict", {
         "endTime": 0.46, "deltaT": 0.05, "writeInterval": 10})
     ranks = cut(case, "(2 1 1)")
@@ -253,3 +259,39 @@ def test_processor_without_points(box):
     assert len(x) == right.sum()
     expected = np.repeat(np.arange(8)/16 + 1/32 - 0.46, 16)
     assert np.abs(np.sort(x) - expected).max() < 1e-8
+
+
+def test_weights_balance_points(box):
+    """Points in the right half only: pointStatistics counts them, and
+    decomposePar gives each processor as much of cells and points together."""
+    case = box(n=16, materials={"a": {"eta": 1, "etaC": 0, "R": 0}})
+    add_points(case, "{ type all; material a; }", pointsPerCell=4,
+               minPointsPerCell=0)
+    control = case.path/"system/controlDict"
+    control.write_text(control.read_text().replace("functions\n{", """functions
+{
+    count { type pointStatistics; libs (cosseratFunctionObjects); cellCost 2;
+        writeControl writeTime; }
+"""))
+    case.substitute("system/controlDict", {"startFrom": "latestTime"})
+    case.run("cosseratPicFoam")
+    keep_points(case, case.cloud("positions")[:, 0] > 0)
+    case.substitute("system/controlDict", {"endTime": 2})
+    case.run("cosseratPicFoam")
+
+    row = case.table("count", "pointStatistics.dat")[-1]
+    assert row == pytest.approx([2, 512, 2, 2, 0, 4, 128])
+    assert set(case.field("pointWeight")) == {2, 6}
+
+    def shares(field):
+        (case.path/"system/decomposeParDict").write_text(
+            "FoamFile { version 2.0; format ascii; class dictionary;"
+            " object x; }\nnumberOfSubdomains 2; method simple;\n"
+            "simpleCoeffs { n (2 1 1); }\n"
+            + (f"weightField {field};\n" if field else ""))
+        case.run("decomposePar", "-latestTime", "-force")
+        return [Case(case.path/f"processor{i}").field("pointWeight").sum()
+                for i in (0, 1)]
+
+    assert max(shares("pointWeight")) < 1.05*512
+    assert max(shares(None)) > 1.2*512

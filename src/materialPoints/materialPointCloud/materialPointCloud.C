@@ -86,6 +86,7 @@ Foam::materialPointCloud::materialPointCloud
     integration_(pointIntegration::New(dict_)),
     average_(pointAverage::New(dict_)),
     coupling_(flowCoupling::New(dict_, U, phi)),
+    census_(),
     population_(mesh_, dict_, seeding_.pointsPerCell()),
     velocity_(pointVelocity::New(dict_, coupling_->U(), coupling_->phi())),
     inflow_(mesh_, materials, dict_, seeding_.pointsPerCell()),
@@ -133,6 +134,7 @@ Foam::materialPointCloud::materialPointCloud
     Info<< ", volumeCorrection " << correction_.active()
         << nl << endl;
 
+    census_.take(*this);
     account_.open(*this);
 }
 
@@ -202,6 +204,7 @@ void Foam::materialPointCloud::predict
 
     coupling_->update(dt);
     track(0.5*dt);
+    census_.take(*this);
     population_.refill(*this);
     average(fractions);
 
@@ -222,8 +225,13 @@ void Foam::materialPointCloud::move(const scalar dt)
     scalar volumeIn = 0;
     inflow_.enter(*this, *velocity_, coupling_->phi(), dt, nIn, volumeIn);
 
+    census_.take(*this);
     const label nAdded = population_.refill(*this);
     const label nDeleted = population_.thin(*this);
+    if (nAdded || nDeleted)
+    {
+        census_.take(*this);
+    }
 
     account_.close
     (

@@ -24,25 +24,6 @@ License
 #include "pointAccount.H"
 #include "materialPointCloud.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::pointAccount::count
-(
-    const materialPointCloud& cloud,
-    label& n,
-    scalar& volume
-)
-{
-    n = cloud.nPoints();
-    volume = 0;
-    for (const materialPoint& p : cloud)
-    {
-        volume += p.volume();
-    }
-    reduce(volume, sumOp<scalar>());
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::pointAccount::pointAccount()
@@ -60,7 +41,8 @@ Foam::pointAccount::pointAccount()
 
 void Foam::pointAccount::open(const materialPointCloud& cloud)
 {
-    count(cloud, nInside_, volumeInside_);
+    nInside_ = cloud.census().nPoints();
+    volumeInside_ = sum(cloud.census().volume());
     const label nPatches = cloud.pMesh().boundaryMesh().nNonProcessor();
     nOut_.setSize(nPatches, 0);
     volumeOut_.setSize(nPatches, 0);
@@ -83,14 +65,12 @@ void Foam::pointAccount::close
 
     const label nInAll = returnReduce(nIn, sumOp<label>());
     const scalar volumeInAll = returnReduce(volumeIn, sumOp<scalar>());
-    const label nAddedAll = returnReduce(nAdded, sumOp<label>());
-    const label nDeletedAll = returnReduce(nDeleted, sumOp<label>());
 
     nIn_ += nInAll;
     volumeIn_ += volumeInAll;
-    nAdded_ += nAddedAll;
-    nDeleted_ += nDeletedAll;
-    n += nInAll + nAddedAll - nDeletedAll;
+    nAdded_ += nAdded;
+    nDeleted_ += nDeleted;
+    n += nInAll + nAdded - nDeleted;
     volume += volumeInAll;
 
     scalar volumeGone = 0;
@@ -106,7 +86,8 @@ void Foam::pointAccount::close
     volume -= volumeGone;
 
     const scalar scale = volumeInside_ + volumeInAll;
-    count(cloud, nInside_, volumeInside_);
+    nInside_ = cloud.census().nPoints();
+    volumeInside_ = sum(cloud.census().volume());
 
     // The volume but for the rounding of sums
     if (n != nInside_ || mag(volume - volumeInside_) > 1e-9*scale)

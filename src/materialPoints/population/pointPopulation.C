@@ -111,6 +111,26 @@ void Foam::pointPopulation::fillAcross
 
     syncTools::swapBoundaryFaceList(mesh_, asked);
 
+    bitSet giving(mesh_.nCells());
+    forAll(asked, b)
+    {
+        if (asked[b])
+        {
+            giving.set(mesh_.faceOwner()[first + b]);
+        }
+    }
+    Map<DynamicList<materialPoint*>> points;
+    if (giving.any())
+    {
+        for (materialPoint& p : cloud)
+        {
+            if (giving[p.cell()])
+            {
+                points(p.cell()).append(&p);
+            }
+        }
+    }
+
     // Their largest points give half of their volume
     labelList material(nBoundary, Zero), dye(nBoundary, Zero);
     scalarList volume(nBoundary, Zero);
@@ -123,15 +143,11 @@ void Foam::pointPopulation::fillAcross
             continue;
         }
         materialPoint* largest = nullptr;
-        for (materialPoint& p : cloud)
+        for (materialPoint* p : points(celli))
         {
-            if
-            (
-                p.cell() == celli
-             && (!largest || p.volume() > largest->volume())
-            )
+            if (!largest || p->volume() > largest->volume())
             {
-                largest = &p;
+                largest = p;
             }
         }
         largest->volume() *= 0.5;
@@ -247,11 +263,8 @@ Foam::label Foam::pointPopulation::refill(materialPointCloud& cloud) const
         return 0;
     }
 
-    labelList count(mesh_.nCells(), Zero);
-    for (const materialPoint& p : cloud)
-    {
-        ++count[p.cell()];
-    }
+    const labelList& before = cloud.census().count();
+    labelList count(before);
 
     // The points of cells that are low and of the neighbours of empty ones
     bitSet low(mesh_.nCells());
@@ -272,7 +285,6 @@ Foam::label Foam::pointPopulation::refill(materialPointCloud& cloud) const
         }
     }
 
-    const labelList before(count);
     label nAdded = 0;
     Map<DynamicList<materialPoint*>> points;
 
@@ -365,7 +377,7 @@ Foam::label Foam::pointPopulation::refill(materialPointCloud& cloud) const
         }
     }
 
-    return nAdded;
+    return returnReduce(nAdded, sumOp<label>());
 }
 
 
@@ -376,18 +388,18 @@ Foam::label Foam::pointPopulation::thin(materialPointCloud& cloud) const
         return 0;
     }
 
-    labelList count(mesh_.nCells(), Zero);
-    for (const materialPoint& p : cloud)
-    {
-        ++count[p.cell()];
-    }
-
+    // Cells that were filled have no more than the minimum
+    const labelList& count = cloud.census().count();
     Map<DynamicList<materialPoint*>> points;
-    for (materialPoint& p : cloud)
+
+    if (max(count) > maxPointsPerCell_)
     {
-        if (count[p.cell()] > maxPointsPerCell_)
+        for (materialPoint& p : cloud)
         {
-            points(p.cell()).append(&p);
+            if (count[p.cell()] > maxPointsPerCell_)
+            {
+                points(p.cell()).append(&p);
+            }
         }
     }
 
@@ -429,7 +441,7 @@ Foam::label Foam::pointPopulation::thin(materialPointCloud& cloud) const
         }
     }
 
-    return nDeleted;
+    return returnReduce(nDeleted, sumOp<label>());
 }
 
 

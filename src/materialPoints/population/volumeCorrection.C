@@ -48,12 +48,7 @@ void Foam::volumeCorrection::apply
 
     const scalarField& V = fractions[0].mesh().V();
 
-    scalarField wanted(n, Zero);
-    for (const materialPoint& p : cloud)
-    {
-        wanted[p.material()] += p.volume();
-    }
-    reduce(wanted, sumOp<scalarField>());
+    scalarField wanted(cloud.census().volume());
     wanted *= gSum(V)/sum(wanted);
 
     // Cells of more than one material

@@ -63,4 +63,17 @@ Foam::tmp<Foam::scalarField> Foam::pointAverages::cellMean::weights
 }
 
 
+void Foam::pointAverages::cellMean::sum
+(
+    const materialPointCloud& cloud,
+    PtrList<volScalarField>& sums
+) const
+{
+    for (const materialPoint& p : cloud)
+    {
+        sums[p.material()][p.cell()] += p.volume();
+    }
+}
+
+
 // ************************************************************************* //

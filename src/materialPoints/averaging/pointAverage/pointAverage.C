@@ -57,6 +57,32 @@ void Foam::pointAverage::checkFilled
 }
 
 
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::pointAverage::sum
+(
+    const materialPointCloud& cloud,
+    PtrList<volScalarField>& sums
+) const
+{
+    const tmp<scalarField> tweights(weights(cloud));
+    const scalarField& w = tweights();
+    label i = 0;
+
+    for (const materialPoint& p : cloud)
+    {
+        sums[p.material()][p.cell()] += w[i++];
+    }
+
+    // Some weights may be negative
+    for (volScalarField& s : sums)
+    {
+        s.primitiveFieldRef() =
+            max(min(s.primitiveField(), scalar(1)), scalar(0));
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::pointAverage::fractions
@@ -69,22 +95,11 @@ void Foam::pointAverage::fractions
     {
         alpha.primitiveFieldRef() = 0;
     }
+    sum(cloud, alphas);
 
-    const tmp<scalarField> tweights(weights(cloud));
-    const scalarField& w = tweights();
-    label i = 0;
-
-    for (const materialPoint& p : cloud)
-    {
-        alphas[p.material()][p.cell()] += w[i++];
-    }
-
-    // Sums before limiting are one by rounding, or none without points
     scalarField total(cloud.pMesh().nCells(), Zero);
-    for (volScalarField& alpha : alphas)
+    for (const volScalarField& alpha : alphas)
     {
-        alpha.primitiveFieldRef() =
-            max(min(alpha.primitiveField(), scalar(1)), scalar(0));
         total += alpha.primitiveField();
     }
     checkFilled(cloud, total);

@@ -1,0 +1,181 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointStatistics.H"
+#include "materialPointCloud.H"
+#include "checkedEntry.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(pointStatistics, 0);
+    addToRunTimeSelectionTable(functionObject, pointStatistics, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::labelList&
+Foam::functionObjects::pointStatistics::count() const
+{
+    return
+        mesh_.lookupObject<materialPointCloud>
+        (
+            materialPointCloud::cloudName
+        ).census().count();
+}
+
+
+void Foam::functionObjects::pointStatistics::writeField
+(
+    const word& name,
+    const scalar offset
+) const
+{
+    volScalarField field
+    (
+        IOobject(name, time_.timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(name, dimless, offset)
+    );
+    forAll(count(), celli)
+    {
+        field[celli] += count()[celli];
+    }
+    field.write();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::pointStatistics::pointStatistics
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    writeFile(obr_, name, typeName, dict),
+    cellCost_(0)
+{
+    read(dict);
+
+    if (!mesh_.foundObject<materialPointCloud>(materialPointCloud::cloudName))
+    {
+        FatalIOErrorInFunction(dict)
+            << "The case has no material points to count" << nl
+            << "    Allowed: with constant/materialPointsProperties only"
+            << exit(FatalIOError);
+    }
+
+    if (Pstream::master())
+    {
+        writeHeader(file(), "Material points of the cells");
+        writeCommented(file(), "Time [s]");
+        for
+        (
+            const char* column :
+            {"points", "mean", "deviation", "least", "most", "empty"}
+        )
+        {
+            writeTabbed(file(), column);
+        }
+        file() << endl;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::pointStatistics::read(const dictionary& dict)
+{
+    cellCost_ =
+        dict.found("cellCost")
+      ? checkedEntry::positive("cellCost", dimless, dict).value()
+      : 0;
+
+    return fvMeshFunctionObject::read(dict) && writeFile::read(dict);
+}
+
+
+bool Foam::functionObjects::pointStatistics::execute()
+{
+    label cells = mesh_.nCells();
+    label points = 0, empty = 0, least = labelMax, most = 0;
+    scalar squares = 0;
+
+    for (const label n : count())
+    {
+        points += n;
+        squares += sqr(scalar(n));
+        empty += n == 0;
+        least = min(least, n);
+        most = max(most, n);
+    }
+    reduce(cells, sumOp<label>());
+    reduce(points, sumOp<label>());
+    reduce(squares, sumOp<scalar>());
+    reduce(empty, sumOp<label>());
+    reduce(least, minOp<label>());
+    reduce(most, maxOp<label>());
+
+    const scalar mean = scalar(points)/cells;
+    const scalar deviation =
+        Foam::sqrt(max(squares/cells - sqr(mean), scalar(0)));
+
+    if (Pstream::master())
+    {
+        writeCurrentTime(file());
+        file()
+            << token::TAB << points << token::TAB << mean
+            << token::TAB << deviation << token::TAB << least
+            << token::TAB << most << token::TAB << empty << endl;
+    }
+
+    Log << type() << ' ' << name() << ": " << points << " points, " << mean
+        << " a cell, deviation " << deviation << ", " << least << " to "
+        << most << ", " << empty << " cells empty" << endl;
+
+    return true;
+}
+
+
+bool Foam::functionObjects::pointStatistics::write()
+{
+    writeField("pointsPerCell", 0);
+    if (cellCost_ > 0)
+    {
+        writeField("pointWeight", cellCost_);
+    }
+
+    return true;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,55 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointCensus.H"
+#include "materialPointCloud.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pointCensus::pointCensus()
+:
+    nPoints_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::pointCensus::take(const materialPointCloud& cloud)
+{
+    count_.setSize(cloud.pMesh().nCells());
+    count_ = 0;
+    volume_.setSize(cloud.materials().size());
+    volume_ = 0;
+
+    for (const materialPoint& p : cloud)
+    {
+        ++count_[p.cell()];
+        volume_[p.material()] += p.volume();
+    }
+
+    nPoints_ = cloud.nPoints();
+    reduce(volume_, sumOp<scalarField>());
+}
+
+
+// ************************************************************************* //
