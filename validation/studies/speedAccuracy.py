@@ -48,10 +48,10 @@ COMBINED = 8
 
 #: Cells (a side, or a unit of the silo): levels, the default among them, and
 #: the three of the reference, the finest two levels above at least
-CELLS = {"shearLayer": ([16, 32, 64, 96], 32, None),
-         "inclusionSolve": ([16, 24, 32, 48], 32, (32, 64, 128)),
-         "inclusionFall": ([12, 16, 24, 32], 24, (16, 32, 64)),
-         "silo": ([2, 3, 4, 5], 3, (2, 4, 8))}
+CELLS = {"shearLayer": ([32, 64, 96, 128], 64, None),
+         "inclusionSolve": ([32, 48, 64, 96], 64, (64, 128, 256)),
+         "inclusionFall": ([16, 24, 32, 48], 32, (32, 64, 128)),
+         "silo": ([2, 3, 4, 6], 4, (4, 8, 16))}
 
 #: Means of the viscosity in cut cells that the reference is halfway between:
 #: where the contrast is large they approach it from either side
@@ -240,7 +240,7 @@ def explore(scene):
     return rows
 
 
-def inclusion_velocity(length, cells=32):
+def inclusion_velocity(length, cells=64):
     """Velocity in blocks and processor time with internal lengths of `length`
     radii in both materials; 0 for the classical model."""
     case = make("inclusionSolve", "classical", cells)
@@ -289,7 +289,7 @@ cells {{ fast {cells//2}; balanced {cells}; accurate {2*cells}; }}
 n ${{cells.${{preset}}}};""", path.read_text(), flags=re.M))
 
 
-def channel(preset, cells=48):
+def channel(preset, cells=96):
     """Row of the gravity channel with its dye; error is that of omega."""
     case = new_case("speedAccuracy", "channel", "gravityChannel")
     constant_material(case, PAPER, rho=1)
@@ -313,7 +313,7 @@ def channel(preset, cells=48):
 REFERENCE = {"tolerance": 1e-7, "pointsPerCell": 25}
 
 #: The scene that checks the presets: Rayleigh-Taylor, its v_rms up to a time
-CHECK_END, CHECK_CELLS = 240.0, 32
+CHECK_END, CHECK_CELLS = 240.0, 48
 
 
 def overturn(name, cells, preset=None, **settings):
@@ -346,7 +346,7 @@ def check_presets():
     """Rows of the presets in the scenes that did not choose them."""
     rows = [channel(preset) for preset in PRESETS]
     limit, order, uncertainty = extrapolate(*(
-        overturn("overturn", n, **REFERENCE)[1] for n in (24, 48, 96)))
+        overturn("overturn", n, **REFERENCE)[1] for n in (36, 72, 144)))
     print(f"rayleighTaylor: reference of order {order:.2f}, uncertain by"
           f" {uncertainty:.2e}", flush=True)
     for preset in PRESETS:
