@@ -11,6 +11,7 @@ import pytest
 
 from cosserat.box import add_points
 from cosserat.case import TUTORIALS, Case, RunError
+from studies import parallel
 from studies.parallel import compare, costs
 from studies.siloDischarge import mesh_entries
 
@@ -31,7 +32,7 @@ def decompose(case, ranks, method, n="(2 1 1)"):
     """Decompose the latest time."""
     case.substitute("system/decomposeParDict", {
         "numberOfSubdomains": ranks, "method": method, "n": n})
-    case.run("decomposePar", "-latestTime", "-force")
+    parallel.decompose(case, method, ranks)
 
 
 def cut(case, n):
@@ -66,6 +67,7 @@ def choose(case, block):
 @pytest.mark.parametrize("method, ranks, n, block", [
     ("simple", 4, "(2 2 1)", "automatic"),
     ("hierarchical", 3, "(1 3 1)", "automatic"),
+    ("ptscotch", 2, "(2 1 1)", "automatic"),
     ("scotch", 2, "(2 1 1)", "direct")])
 def test_decompositions(serial, tmp_path, method, ranks, n, block):
     """Fields of one processor, measured within 2e-9 (direct: 2e-12), the same

@@ -1,6 +1,7 @@
 """The silo on several processors, decomposed by all methods there are, and
 with the sparse factorisation: twenty steps at half the resolution of the
-tutorial, compared with one processor. More ranks than cores share them."""
+tutorial, compared with one processor. More ranks than cores share them. And
+the speed-up of two ranks on 256 x 256 cells with 16 points each."""
 
 import re
 
@@ -12,12 +13,20 @@ from cosserat.case import residuals
 from studies.common import new_case, save
 from studies.siloDischarge import mesh_entries
 
-METHODS = ("simple", "hierarchical", "scotch", "metis")
+METHODS = ("simple", "hierarchical", "scotch", "metis", "ptscotch")
 
 #: Ranks, and by how many in x and y simple and hierarchical cut
 PARTS = {1: (1, 1), 2: (2, 1), 3: (1, 3), 4: (2, 2), 8: (2, 4)}
 
 FIELDS = ("U", "p", "omega")
+
+
+def decompose(case, method, ranks):
+    """Decompose the latest time; ptscotch does it in parallel."""
+    if method == "ptscotch":
+        case.run("redistributePar", "-decompose", ranks=ranks)
+    else:
+        case.run("decomposePar", "-latestTime", "-force")
 
 
 def run(method, ranks, block="automatic", cells=4):
@@ -37,12 +46,43 @@ def run(method, ranks, block="automatic", cells=4):
         case.substitute("system/decomposeParDict", {
             "numberOfSubdomains": ranks, "method": method,
             "n": f"({nx} {ny} 1)"})
-        case.run("decomposePar")
+        decompose(case, method, ranks)
         case.run("cosseratPicFoam", ranks=ranks)
         case.run("reconstructPar", "-latestTime")
     else:
         case.run("cosseratPicFoam")
     return case
+
+
+def large(method, ranks, cells=256, steps=8):
+    """The case of a run of the sinking inclusion, not reconstructed."""
+    case = new_case("parallel", f"large-{method}-{ranks}", "sinkingInclusion")
+    case.substitute("system/blockMeshDict", {"n": cells})
+    dt = 48/cells
+    case.substitute("system/controlDict", {
+        "endTime": steps*dt, "deltaT": dt, "adjustTimeStep": "no",
+        "writeInterval": 1000})
+    case.run("blockMesh")
+    if ranks > 1:
+        case.substitute("system/decomposeParDict", {
+            "numberOfSubdomains": ranks, "method": method})
+        case.run("decomposePar")
+    case.run("cosseratPicFoam", ranks=ranks)
+    return case
+
+
+def speed_up():
+    """Rows of two ranks beside one, with the ratio of the times of a step."""
+    rows = []
+    for method, ranks in [("none", 1), ("scotch", 2), ("simple", 2)]:
+        case = large(method, ranks)
+        points = re.findall(r"Material points: (\d+) inside", case.log())[-1]
+        rows.append({"scene": "sinkingInclusion", "method": method,
+                     "ranks": ranks, "block": "automatic",
+                     "points": int(points), **costs(case)})
+        rows[-1]["speedUp"] = rows[0]["step"]/rows[-1]["step"]
+        print(rows[-1], flush=True)
+    return rows
 
 
 def compare(case, serial):
@@ -68,9 +108,10 @@ def costs(case):
 
 
 def study():
-    """Rows: method, ranks, block (of the preconditioner), iterations (of all
-    steps), diffU, diffp, diffomega (from one rank, over the largest value),
-    points, diffPoints [m], volume [m3], step [s, on two cores]."""
+    """Rows: scene, method, ranks, block (of the preconditioner), iterations
+    (of all steps), points, step [s, on two cores]; of the silo diffU, diffp,
+    diffomega (from one rank, over the largest value), diffPoints [m], volume
+    [m3]; of the sinking inclusion speedUp (over one rank)."""
     rows = []
     for block, wanted in (
             ("automatic", [(m, n) for m in METHODS for n in PARTS if n > 1]),
@@ -78,11 +119,12 @@ def study():
         serial = run("none", 1, block)
         for method, ranks in [("none", 1)] + wanted:
             case = serial if ranks == 1 else run(method, ranks, block)
-            rows.append({"method": method, "ranks": ranks, "block": block,
+            rows.append({"scene": "silo", "method": method, "ranks": ranks,
+                         "block": block,
                          **costs(case), **compare(case, serial)})
             print(rows[-1], flush=True)
     draw(rows)
-    return rows
+    return rows + speed_up()
 
 
 def draw(rows):
