@@ -50,6 +50,15 @@ def test_volume_is_kept(discharges):
         assert np.allclose(rows[:, 3], 25, rtol=1e-9)
         assert np.abs(rows[:, 4]/25 - 1).max() < 0.01
 
+        points, mesh, materials = re.search(
+            r"Volume at the end: points (\S+) m3 in a mesh of (\S+) m3, by (.*)",
+            case.log()).groups()
+        assert float(points) == pytest.approx(float(mesh), rel=1e-9)
+        by_points, on_mesh = map(float, re.search(
+            r"granular (\S+) and (\S+) m3", materials).groups())
+        assert by_points == pytest.approx(0.1*rows[-1, 3], rel=1e-9)
+        assert on_mesh == pytest.approx(0.1*rows[-1, 4], rel=1e-6)
+
 
 def test_every_step_converges(discharges):
     """No step left unconverged, 42 outer iterations on average and at most

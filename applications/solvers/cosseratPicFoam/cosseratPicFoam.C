@@ -132,6 +132,10 @@ int main(int argc, char *argv[])
     }
 
     flow.summary();
+    if (points.valid())
+    {
+        points->summary(materials.fractions());
+    }
     done.spent("output");
     done.summary();
     Info<< "End" << nl << endl;

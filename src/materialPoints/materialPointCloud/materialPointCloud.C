@@ -275,6 +275,24 @@ void Foam::materialPointCloud::report() const
 }
 
 
+void Foam::materialPointCloud::summary
+(
+    const PtrList<volScalarField>& fractions
+) const
+{
+    const scalarField& V = mesh_.V();
+    Info<< "Volume at the end: points " << sum(census_.volume())
+        << " m3 in a mesh of " << gSum(V) << " m3";
+    forAll(fractions, m)
+    {
+        Info<< (m ? ", " : ", by points and on the mesh: ")
+            << materials_[m] << ' ' << census_.volume()[m] << " and "
+            << gSum(V*fractions[m].primitiveField()) << " m3";
+    }
+    Info<< endl;
+}
+
+
 void Foam::materialPointCloud::writeFields() const
 {
     materialPoint::writeFields(*this);
