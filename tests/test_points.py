@@ -47,6 +47,25 @@ def test_linear_velocity_is_exact(box, velocity):
     assert rotating(box, "turn", "RK4", 80, velocity) < 1e-5
 
 
+def test_points_slide_along_oblique_walls(box):
+    """A uniform flow through the walls of a parallelogram: of 32 x 32 points
+    8 x 24 stay free, all others end on a wall or in the acute corner."""
+    flow = ("type fixedValue; value uniform (0.925 0.25 0);",
+            "type zeroGradient;")
+    case = box(n=8, shear=0.7, materials={"a": {"eta": 1, "etaC": 0, "R": 0}},
+               walls={side: flow for side in TURN})
+    add_points(case, "{ type all; material a; }", velocity="cellPoint",
+               minPointsPerCell=0)
+    case.substitute("system/controlDict", {
+        "endTime": 1, "deltaT": 0.05, "writeInterval": 20})
+    case.run("cosseratPicFoam")
+    x, y = case.cloud("positions")[:, :2].T
+    right, top = 0.5 - (x - 0.7*y), 0.5 - y
+    assert right.min() > -1e-9 and top.min() > -1e-9
+    free = (right > 1e-9) & (top > 1e-9)
+    assert len(x) == 32*32 and free.sum() == 8*24
+
+
 def test_linear_velocity_is_exact_on_triangles(tmp_path):
     """conservativeLinear is linear in triangles; faceFlux is not."""
     def miss(velocity):

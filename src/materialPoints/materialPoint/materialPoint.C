@@ -147,6 +147,13 @@ bool Foam::materialPoint::move
             continue;
         }
 
+        // Without a way its rounding would be tracked, for ever in a corner
+        if (mag(displacement_) < td.nothing)
+        {
+            stepFraction() = stageEnd;
+            continue;
+        }
+
         const scalar before = stepFraction();
         const scalar rest = stageEnd - before;
         const vector way(displacement_);
@@ -183,8 +190,11 @@ bool Foam::materialPoint::hitPatch(materialPointCloud&, trackingData& td)
     }
     else
     {
+        // Along the wall, and off it by more than the rounding of the way,
+        // which would end at the wall again and again where that is oblique
         const vector n(normal());
-        displacement_ -= max(displacement_ & n, scalar(0))*n;
+        displacement_ -=
+            (max(displacement_ & n, scalar(0)) + 1e-12*mag(displacement_))*n;
     }
 
     return true;
