@@ -50,6 +50,7 @@ Usage
 
 SourceFiles
     cosseratPicFoam.C
+    checkInput.H
     checkTimeControls.H
     continuedTime.C
     createGravity.H
@@ -59,10 +60,13 @@ SourceFiles
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "checkedEntry.H"
+#include "checkedText.H"
 #include "continuedTime.H"
 #include "creepingFlow.H"
 #include "materialPointCloud.H"
 #include "progress.H"
+#include "sigFpe.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -75,6 +79,7 @@ int main(int argc, char *argv[])
 
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
+    #include "checkInput.H"
     continuedTime runTime(args);
     #include "createMesh.H"
     #include "createTimeControls.H"

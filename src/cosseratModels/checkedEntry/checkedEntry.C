@@ -23,12 +23,19 @@ License
 
 #include "checkedEntry.H"
 #include "DynamicList.H"
-#include <cmath>
+#include "ITstream.H"
+#include "StringStream.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
+    static string between(const string& lower)
+    {
+        return lower + " and at most " + Foam::name(checkedEntry::largest);
+    }
+
+    // Read here and not by dimensionedScalar, which stops without the entry
     static dimensionedScalar readFinite
     (
         const word& key,
@@ -37,29 +44,51 @@ namespace Foam
         const string& allowed
     )
     {
-        // A word, such as nan, else ends in an error without it
-        const tokenList& tokens =
-            dict.lookupEntry(key, keyType::LITERAL).stream();
+        ITstream& is = dict.lookup(key, keyType::LITERAL);
 
-        if (tokens.size() && tokens.last().isWord())
+        // An optional name, and optional dimensions
+        token first(is);
+        if (!first.isWord() || is.nRemainingTokens() == 0)
         {
-            checkedEntry::refuse
-            (
-                dict, key, tokens.last().wordToken(), allowed
-            );
+            is.putBack(first);
         }
 
-        const dimensionedScalar value(key, dims, dict);
-
-        if (!std::isfinite(value.value()))
+        scalar scale = 1;
+        token next(is);
+        is.putBack(next);
+        if (next == token::BEGIN_SQR)
         {
-            checkedEntry::refuse
-            (
-                dict, key, Foam::name(value.value()), allowed
-            );
+            dimensionSet found(dims);
+            found.read(is, scale);
+
+            if (found != dims)
+            {
+                OStringStream os;
+                os  << "of dimensions " << found << " instead of " << dims;
+                checkedEntry::refuse(dict, key, os.str(), allowed);
+            }
         }
 
-        return value;
+        token number(is);
+        if (!number.isNumber())
+        {
+            OStringStream os;
+            os  << number;
+            checkedEntry::refuse
+            (
+                dict, key, number.good() ? os.str() : "empty", allowed
+            );
+        }
+        dict.checkITstream(is, key);
+
+        const scalar value = scale*number.number();
+
+        if (!checkedEntry::inRange(value))
+        {
+            checkedEntry::refuse(dict, key, Foam::name(value), allowed);
+        }
+
+        return dimensionedScalar(key, dims, value);
     }
 
     static wordList unread(const dictionary& dict, const wordList& allowed)
@@ -81,6 +110,13 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+bool Foam::checkedEntry::inRange(const scalar value)
+{
+    // Not so where it is no number
+    return mag(value) <= largest && (value == 0 || mag(value)*largest >= 1);
+}
+
+
 Foam::dimensionedScalar Foam::checkedEntry::positive
 (
     const word& key,
@@ -88,7 +124,7 @@ Foam::dimensionedScalar Foam::checkedEntry::positive
     const dictionary& dict
 )
 {
-    const string allowed("a number above zero");
+    const string allowed(between("a number above zero"));
     const dimensionedScalar value(readFinite(key, dims, dict, allowed));
 
     if (value.value() <= 0)
@@ -107,7 +143,7 @@ Foam::dimensionedScalar Foam::checkedEntry::nonNegative
     const dictionary& dict
 )
 {
-    const string allowed("zero or a number above zero");
+    const string allowed(between("zero or a number above zero"));
     const dimensionedScalar value(readFinite(key, dims, dict, allowed));
 
     if (value.value() < 0)
@@ -116,6 +152,25 @@ Foam::dimensionedScalar Foam::checkedEntry::nonNegative
     }
 
     return value;
+}
+
+
+Foam::vector Foam::checkedEntry::direction
+(
+    const word& key,
+    const dictionary& dict
+)
+{
+    const vector value(dict.get<vector>(key));
+
+    if (!(mag(value) > 0) || !inRange(mag(value)))
+    {
+        OStringStream os;
+        os  << value;
+        refuse(dict, key, os.str(), "a direction: any vector but zero");
+    }
+
+    return value/mag(value);
 }
 
 

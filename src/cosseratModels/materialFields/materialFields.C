@@ -23,6 +23,7 @@ License
 
 #include "materialFields.H"
 #include "checkedEntry.H"
+#include "StringStream.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -73,10 +74,19 @@ Foam::materialFields::averageType Foam::materialFields::readAverage
     const word& key
 ) const
 {
-    return averageTypeNames.getOrDefault
+    const word name
     (
-        key, dict_, averageType::ARITHMETIC
+        dict_.getOrDefault<word>(key, averageTypeNames[averageType::ARITHMETIC])
     );
+
+    if (!averageTypeNames.found(name))
+    {
+        OStringStream os;
+        os  << flatOutput(averageTypeNames.sortedToc());
+        checkedEntry::refuse(dict_, key, name, os.str());
+    }
+
+    return averageTypeNames[name];
 }
 
 

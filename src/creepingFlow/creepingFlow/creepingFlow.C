@@ -23,6 +23,7 @@ License
 
 #include "creepingFlow.H"
 #include "checkedEntry.H"
+#include "checkedText.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -47,6 +48,44 @@ namespace Foam
         (
             name, mesh.time().timeName(), mesh, read, IOobject::AUTO_WRITE
         );
+    }
+
+    //- Errors that are thrown as long as this is there
+    struct thrownErrors
+    {
+        const bool before = FatalError.throwExceptions();
+
+        ~thrownErrors()
+        {
+            FatalError.throwExceptions(before);
+        }
+    };
+
+    // A field of the start time; errors that name no file are given it
+    template<class Type>
+    static GeometricField<Type, fvPatchField, volMesh> readField
+    (
+        const word& name,
+        const fvMesh& mesh
+    )
+    {
+        const IOobject io(fieldIO(name, mesh, IOobject::MUST_READ));
+        const fileName file(io.objectPath());
+        const checkedText text(file);
+
+        try
+        {
+            const thrownErrors scope;
+            return GeometricField<Type, fvPatchField, volMesh>(io, mesh);
+        }
+        catch (const Foam::error& e)
+        {
+            FatalIOErrorInFunction(dictionary(file))
+                << e.message().c_str() << exit(FatalIOError);
+        }
+
+        // Not reached
+        return GeometricField<Type, fvPatchField, volMesh>(io, mesh);
     }
 }
 
@@ -100,7 +139,7 @@ Foam::volScalarField Foam::creepingFlow::readOmega() const
      || io.typeHeaderOk<volScalarField>(true)
     )
     {
-        return volScalarField(io, mesh_);
+        return readField<scalar>("omega", mesh_);
     }
 
     return volScalarField
@@ -318,8 +357,8 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
     materials_(materials),
     controls_(mesh_.solutionDict().subOrEmptyDict(typeName)),
     goOn_(readGoOn()),
-    U_(fieldIO("U", mesh_, IOobject::MUST_READ), mesh_),
-    pRgh_(fieldIO("p_rgh", mesh_, IOobject::MUST_READ), mesh_),
+    U_(readField<vector>("U", mesh_)),
+    pRgh_(readField<scalar>("p_rgh", mesh_)),
     p_
     (
         fieldIO("p", mesh_, IOobject::NO_READ),

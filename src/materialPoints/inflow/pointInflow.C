@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointInflow.H"
+#include "checkedEntry.H"
 #include "materialPointCloud.H"
 #include "meshTools.H"
 #include <cmath>
@@ -107,6 +108,7 @@ Foam::pointInflow::pointInflow
                 << " nothing comes in through others" << exit(FatalIOError);
         }
 
+        checkedEntry::only(e.dict(), {"material"});
         material_[patchi] = materialPointCloud::findMaterial
         (
             e.dict().get<word>("material"), materials, e.dict()

@@ -43,10 +43,10 @@ Foam::dyePatterns::bands::bands
 (const dictionary& dict)
 :
     dyePattern(dict),
-    across_(normalised(dict.get<vector>("across"))),
+    across_(checkedEntry::direction("across", dict)),
     start_(dict.get<scalar>("start")),
-    width_(dict.get<scalar>("width")),
-    period_(dict.get<scalar>("period"))
+    width_(checkedEntry::positive("width", dimLength, dict).value()),
+    period_(checkedEntry::positive("period", dimLength, dict).value())
 {
     checkedEntry::only
     (
@@ -54,11 +54,11 @@ Foam::dyePatterns::bands::bands
         {"type", "material", "across", "start", "width", "period"}
     );
 
-    if (!(width_ > 0 && width_ <= period_))
+    if (width_ > period_)
     {
         FatalIOErrorInFunction(dict)
             << "Entries width " << width_ << " and period " << period_ << nl
-            << "    Allowed: a width above zero, at most the period"
+            << "    Allowed: a width of at most the period"
             << exit(FatalIOError);
     }
 }
@@ -70,6 +70,15 @@ Foam::label Foam::dyePatterns::bands::mark(const point& p) const
 {
     const scalar x = (p & across_) - start_;
     const scalar band = std::floor(x/period_);
+
+    if (band >= scalar(labelMax))
+    {
+        FatalErrorInFunction
+            << "Entry 'period' of dye bands is " << period_
+            << ", which makes " << band << " bands up to " << p << nl
+            << "    Allowed: up to " << labelMax << " bands"
+            << exit(FatalError);
+    }
 
     return band >= 0 && x - band*period_ < width_ ? label(band) + 1 : 0;
 }

@@ -43,8 +43,8 @@ Foam::dyePatterns::grid::grid
 (const dictionary& dict)
 :
     dyePattern(dict),
-    spacing_(dict.get<scalar>("spacing")),
-    width_(dict.get<scalar>("width")),
+    spacing_(checkedEntry::positive("spacing", dimLength, dict).value()),
+    width_(checkedEntry::positive("width", dimLength, dict).value()),
     origin_(dict.get<point>("origin")),
     directions_(dict.get<Pair<vector>>("directions"))
 {
@@ -54,11 +54,18 @@ Foam::dyePatterns::grid::grid
         {"type", "material", "spacing", "width", "origin", "directions"}
     );
 
-    if (!(width_ > 0 && width_ < spacing_))
+    if (width_ >= spacing_)
     {
         FatalIOErrorInFunction(dict)
             << "Entries width " << width_ << " and spacing " << spacing_ << nl
-            << "    Allowed: a width above zero and below the spacing"
+            << "    Allowed: a width below the spacing"
+            << exit(FatalIOError);
+    }
+    if (!(mag(directions_[0]) > 0 && mag(directions_[1]) > 0))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'directions' is " << directions_ << nl
+            << "    Allowed: two vectors, neither of them zero"
             << exit(FatalIOError);
     }
 }

@@ -42,18 +42,11 @@ namespace dyePatterns
 Foam::dyePatterns::stripes::stripes(const dictionary& dict)
 :
     dyePattern(dict),
-    along_(normalised(dict.get<vector>("along"))),
+    along_(checkedEntry::direction("along", dict)),
     origin_(dict.get<point>("origin")),
-    width_(dict.get<scalar>("width"))
+    width_(checkedEntry::positive("width", dimLength, dict).value())
 {
     checkedEntry::only(dict, {"type", "material", "along", "origin", "width"});
-
-    if (!(width_ > 0))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'width' is " << width_ << nl
-            << "    Allowed: above zero" << exit(FatalIOError);
-    }
 }
 
 

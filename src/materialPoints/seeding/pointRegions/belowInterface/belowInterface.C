@@ -45,8 +45,8 @@ Foam::pointRegions::belowInterface::belowInterface
     const polyMesh& mesh
 )
 :
-    along_(normalised(dict.get<vector>("along"))),
-    up_(normalised(dict.get<vector>("up"))),
+    along_(checkedEntry::direction("along", dict)),
+    up_(checkedEntry::direction("up", dict)),
     height_(Function1<scalar>::New("height", dict))
 {
     checkedEntry::only

@@ -1,0 +1,239 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "checkedText.H"
+#include "Pstream.H"
+#include "StringStream.H"
+#include "token.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::checkedText::next()
+{
+    token t;
+    is_.read(t);
+    token_.clear();
+
+    if (t.good())
+    {
+        OStringStream os;
+        os  << t;
+        token_ = os.str();
+    }
+    else if (!is_.eof())
+    {
+        FatalIOErrorInFunction(is_)
+            << "Entry '" << key_.c_str() << "' has a value that cannot be read"
+            << nl << "    Allowed: numbers up to 1e308, words, strings, lists"
+            << exit(FatalIOError);
+    }
+
+    if (token_ == "nonuniform" || (token_ == "binary" && key_ == "format"))
+    {
+        written_ = true;
+        token_.clear();
+    }
+}
+
+
+void Foam::checkedText::skipLine()
+{
+    const label line = is_.lineNumber();
+    do
+    {
+        next();
+    } while (!token_.empty() && is_.lineNumber() == line);
+}
+
+
+void Foam::checkedText::refuse(const char open, const label line) const
+{
+    if (written_)
+    {
+        return;
+    }
+
+    FatalIOErrorInFunction(is_)
+        << "'" << open << "' of line " << line << " is not closed before "
+        << (token_.empty() ? "the end of the file" : token_.c_str()) << nl
+        << "    Allowed: each bracket closed, and each entry ended by ';'"
+        << exit(FatalIOError);
+}
+
+
+void Foam::checkedText::refuseClosing() const
+{
+    FatalIOErrorInFunction(is_)
+        << "'" << token_.c_str() << "' closes nothing, behind entry '"
+        << key_.c_str() << "'; OpenFOAM would read no further" << nl
+        << "    Allowed: as many brackets closed as opened"
+        << exit(FatalIOError);
+}
+
+
+void Foam::checkedText::readEntries(const bool file, const label line)
+{
+    HashSet<string> keys;
+
+    while (!token_.empty() && token_ != "}")
+    {
+        if (token_ == ";")
+        {
+            next();
+            continue;
+        }
+        if (token_[0] == '#')
+        {
+            branches_ = branches_ || token_.compare(0, 3, "#if") == 0;
+            skipLine();
+            continue;
+        }
+        if (string("()[]{").find(token_) != string::npos)
+        {
+            FatalIOErrorInFunction(is_)
+                << "'" << token_.c_str() << "' stands where an entry has to"
+                << " begin, behind entry '" << key_.c_str() << "'" << nl
+                << "    Allowed: as many brackets closed as opened, and each"
+                << " entry ended by ';'" << exit(FatalIOError);
+        }
+
+        key_ = token_;
+        if (key_[0] != '$' && !keys.insert(key_) && !branches_)
+        {
+            FatalIOErrorInFunction(is_)
+                << "Entry '" << key_.c_str() << "' is given twice" << nl
+                << "    Allowed: once; OpenFOAM would take the last one, and"
+                << " merge dictionaries" << exit(FatalIOError);
+        }
+
+        next();
+        if (token_ == "{")
+        {
+            const label begin = is_.lineNumber();
+            next();
+            readEntries(false, begin);
+            next();
+        }
+        else
+        {
+            readValue();
+        }
+    }
+
+    if (token_.empty() && !file)
+    {
+        refuse('{', line);
+    }
+    if (!token_.empty() && file)
+    {
+        refuseClosing();
+    }
+}
+
+
+void Foam::checkedText::readValue()
+{
+    const string key(key_);
+
+    // Of the last entry of a dictionary OpenFOAM does not ask for ';'
+    while (token_ != ";" && token_ != "}")
+    {
+        if (token_.empty())
+        {
+            if (written_)
+            {
+                return;
+            }
+            FatalIOErrorInFunction(is_)
+                << "Entry '" << key.c_str() << "' has no end" << nl
+                << "    Allowed: each entry ended by ';'" << exit(FatalIOError);
+        }
+        if (token_ == "(" || token_ == "[" || token_ == "{")
+        {
+            const char open = token_[0];
+            const label line = is_.lineNumber();
+            next();
+            readList(open, line);
+        }
+        else if (token_ == ")" || token_ == "]")
+        {
+            refuseClosing();
+        }
+        next();
+    }
+    if (token_ == ";")
+    {
+        next();
+    }
+}
+
+
+void Foam::checkedText::readList(const char open, const label line)
+{
+    const string end(1, open == '(' ? ')' : open == '[' ? ']' : '}');
+
+    while (token_ != end && !written_)
+    {
+        if (token_ == "{" && open == '(')
+        {
+            const label begin = is_.lineNumber();
+            next();
+            readEntries(false, begin);
+        }
+        else if (token_ == "(" || token_ == "[" || token_ == "{")
+        {
+            const char inner = token_[0];
+            const label begin = is_.lineNumber();
+            next();
+            readList(inner, begin);
+        }
+        else if
+        (
+            token_.empty() || token_ == ")" || token_ == "]" || token_ == "}"
+         || (token_ == ";" && open != '{')
+        )
+        {
+            refuse(open, line);
+        }
+        next();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::checkedText::checkedText(const fileName& file)
+:
+    is_(file),
+    written_(false),
+    branches_(false)
+{
+    if (Pstream::master() && is_.good())
+    {
+        next();
+        readEntries(true, 0);
+    }
+}
+
+
+// ************************************************************************* //
