@@ -1,6 +1,9 @@
 """What users of OpenFOAM expect: options, and that its programs work on cases
 of this solver."""
 
+import shutil
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -38,8 +41,61 @@ def test_options_of_the_solver(template):
     case = template()
     text = case.run("cosseratPicFoam", "-help", log=False).stdout
     for word in ("material points", "-case", "-parallel", "-doc",
-                 "-dry-run"):
+                 "-dry-run", "-postProcess"):
         assert word in text, word
+
+
+def test_doc_names_files_that_are_there(template):
+    """-doc, and not a page of openfoam.com that there is none of."""
+    text = template().run("cosseratPicFoam", "-doc", log=False).stdout
+    files = [Path(word) for word in text.split() if word.startswith("/")]
+    assert len(files) == 4 and all(file.exists() for file in files)
+
+
+def test_postProcess_gives_what_the_run_gave(template):
+    """Function objects on times written, and what OpenFOAM's own program says
+    instead."""
+    case = template(writeInterval=0.01)
+    control = case.path/"system/controlDict"
+    control.write_text(control.read_text().replace("functions\n{", """functions
+{
+    stress
+    {
+        type            cosseratStress;
+        libs            (cosseratFunctionObjects);
+        writeControl    writeTime;
+    }
+    followed
+    {
+        type            pointTracers;
+        libs            (cosseratFunctionObjects);
+        places          ((0.4 0.6 0));
+    }
+"""))
+    case.run("cosseratPicFoam")
+    tables = [("power", "powerBalance.dat"),
+              ("below", "materialOutflow.dat"),
+              ("followed", "tracer0.dat")]
+    before = [case.table(*each) for each in tables]
+    stress = case.field("sigma", "0.01")
+    shutil.rmtree(case.path/"postProcessing")
+    (case.path/"0.01/sigma").unlink()
+
+    case.run("cosseratPicFoam", "-postProcess")
+    assert case.log().rstrip().endswith("End")
+    for (name, file), rows in zip(tables, before):
+        after = case.table(name, file)
+        assert np.array_equal(after[-2:, 0], [0.01, 0.02]), name
+        # The imbalance is the solver's, and no step means no flux
+        kept = [i for i in range(rows.shape[1])
+                if (name, i) not in (("power", 6), ("power", 3))]
+        assert np.allclose(after[-2:, kept], rows[-2:, kept], rtol=1e-4,
+                           atol=1e-9), name
+    assert np.allclose(case.field("sigma", "0.01"), stress,
+                       atol=1e-5*np.abs(stress).max())
+
+    said = case.run("postProcess", check=False, log=False).stdout
+    assert "cosseratPicFoam -postProcess" in said
 
 
 def test_foamLog(template):

@@ -207,18 +207,38 @@ def test_eccentric_cylinders(tmp_path):
     assert eccentric(tmp_path/"faster", U={"omega": 1.02}) > 1.05e-2
 
 
-def test_template_becomes_a_case(tmp_path):
-    """cp -r and Allrun, nothing else; the picture is there."""
-    shutil.copytree(TUTORIALS/"template", tmp_path/"mine", ignore=
+def copy_template(target):
+    """What cp -r of a clean checkout copies."""
+    shutil.copytree(TUTORIALS/"template", target, ignore=
                     shutil.ignore_patterns("[1-9]*", "0", "log.*", "results",
                                            "postProcessing", "polyMesh"))
-    subprocess.run(["./Allrun"], cwd=tmp_path/"mine", check=True,
-                   stdout=subprocess.DEVNULL)
+
+
+def test_template_becomes_a_case(tmp_path):
+    """cp -r and Allrun, nothing else; the picture is there, and named."""
+    copy_template(tmp_path/"mine")
+    done = subprocess.run(["./Allrun"], cwd=tmp_path/"mine", check=True,
+                          stdout=subprocess.PIPE, text=True)
+    assert done.stdout.rstrip().endswith("points.png")
     assert (tmp_path/"mine/results/points.png").stat().st_size > 20000
     case = Case(tmp_path/"mine")
     assert "\nEnd\n" in case.log()
     energy, work = lost_height(case, 1, 1600, 10)
     assert energy == pytest.approx(work, rel=5e-3)
+
+
+def test_Allrun_shows_the_error(tmp_path):
+    """And not only its log: file, entry and what is allowed."""
+    copy_template(tmp_path/"mine")
+    case = Case(tmp_path/"mine")
+    case.substitute("constant/materialProperties", {"R": -1})
+    done = subprocess.run(["./Allrun"], cwd=case.path, check=False,
+                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                          text=True)
+    assert done.returncode != 0
+    for words in ("'R'", "is -1", "Allowed", "materialProperties",
+                  "log.cosseratPicFoam"):
+        assert words in done.stderr, words
 
 
 @pytest.mark.parametrize("case", sorted(

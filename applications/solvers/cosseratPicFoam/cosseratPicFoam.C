@@ -48,14 +48,21 @@ Usage
       - system/controlDict: adjustTimeStep and maxCo set the time step by the
         Courant number on the face fluxes
 
+    With -postProcess it runs function objects on times written: points and
+    fractions are those of the time, and the flow is solved for them again,
+    starting from the one written. -doc says where the manuals are.
+
 SourceFiles
     cosseratPicFoam.C
     checkInput.H
     checkTimeControls.H
     continuedTime.C
+    createFields.H
     createGravity.H
     createPoints.H
+    manual.H
     progress.H
+    solvedFields.H
 
 \*---------------------------------------------------------------------------*/
 
@@ -77,6 +84,12 @@ int main(int argc, char *argv[])
         "Planar creeping flow of Cosserat media with material points"
     );
 
+    #include "manual.H"
+
+    #define NO_CONTROL
+    #define CREATE_FIELDS solvedFields.H
+    #include "postProcess.H"
+
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
     #include "checkInput.H"
@@ -85,15 +98,7 @@ int main(int argc, char *argv[])
     #include "createTimeControls.H"
     #include "checkTimeControls.H"
 
-    materialFields materials(mesh);
-    #include "createGravity.H"
-    creepingFlow flow(materials);
-    const surfaceScalarField& phi = flow.phi();
-
-    autoPtr<materialPointCloud> points;
-    #include "createPoints.H"
-
-    materials.correct();
+    #include "createFields.H"
     progress done(runTime);
     flow.solve();
     done.spent("flow");

@@ -416,6 +416,22 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+const Foam::creepingFlow& Foam::creepingFlow::find(const fvMesh& mesh)
+{
+    const creepingFlow* flow = mesh.findObject<creepingFlow>(typeName);
+
+    if (!flow)
+    {
+        FatalErrorInFunction
+            << "There is no " << typeName << " here, of which this is a result"
+            << nl << "    For times already written: cosseratPicFoam"
+            << " -postProcess, in place of postProcess" << exit(FatalError);
+    }
+
+    return *flow;
+}
+
+
 void Foam::creepingFlow::solve()
 {
     boundary_.update();

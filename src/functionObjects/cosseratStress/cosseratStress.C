@@ -56,8 +56,7 @@ Foam::functionObjects::cosseratStress::cosseratStress
 
 bool Foam::functionObjects::cosseratStress::write()
 {
-    const creepingFlow& flow =
-        mesh_.lookupObject<creepingFlow>(creepingFlow::typeName);
+    const creepingFlow& flow = creepingFlow::find(mesh_);
 
     flow.stress()().write();
     flow.coupleStress()().write();

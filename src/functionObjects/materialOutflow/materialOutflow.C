@@ -44,10 +44,9 @@ namespace functionObjects
 void Foam::functionObjects::materialOutflow::writeRow()
 {
     // Of the cells
-    const materialFields& materials =
-        mesh_.lookupObject<creepingFlow>(creepingFlow::typeName).materials();
-    const wordList names(materials.names());
-    const label material = names.find(material_);
+    const materialFields& materials = creepingFlow::find(mesh_).materials();
+    const label material =
+        materialPointCloud::findMaterial(material_, materials.names(), dict_);
 
     scalar out = 0, inPoints = 0, inCells = 0;
 
@@ -138,7 +137,12 @@ Foam::functionObjects::materialOutflow::materialOutflow
         file() << endl;
     }
 
-    writeRow();
+    // Of the start, which a run does not execute; where times already written
+    // are processed there is no flow yet
+    if (!postProcess)
+    {
+        writeRow();
+    }
 }
 
 
@@ -149,18 +153,10 @@ bool Foam::functionObjects::materialOutflow::read(const dictionary& dict)
     fvMeshFunctionObject::read(dict);
     writeFile::read(dict);
 
+    dict_ = dict;
     dict.readEntry("material", material_);
     dict.readEntry("point", point_);
     normal_ = normalised(dict.get<vector>("normal"));
-
-    // Also checks the name
-    materialPointCloud::findMaterial
-    (
-        material_,
-        mesh_.lookupObject<creepingFlow>(creepingFlow::typeName)
-       .materials().names(),
-        dict
-    );
 
     return true;
 }

@@ -105,12 +105,59 @@ bool Foam::functionObjects::pointTracers::restart()
 }
 
 
+void Foam::functionObjects::pointTracers::begin()
+{
+    creepingFlow::find(mesh_);
+
+    if (!mesh_.foundObject<materialPointCloud>(materialPointCloud::cloudName))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "The case has no material points to follow" << nl
+            << "    Allowed: with constant/materialPointsProperties only"
+            << exit(FatalIOError);
+    }
+
+    choose();
+    // Of times already written strain and rotation count from the first one
+    const bool again = !postProcess && restart();
+
+    if (Pstream::master())
+    {
+        files_.setSize(places_.size());
+        forAll(places_, i)
+        {
+            files_.set(i, newOutputFile("tracer" + Foam::name(i)).ptr());
+            OFstream& os = files_[i];
+            writeHeader
+            (
+                os,
+                string("Material point ") + Foam::name(identity_[i].first())
+              + ":" + Foam::name(identity_[i].second())
+              + (again ? ", followed further" : "")
+            );
+            writeCommented(os, "Time [s]");
+            for
+            (
+                const char* column :
+                {
+                    "x [m]", "y [m]", "z [m]", "Ux [m/s]", "Uy [m/s]",
+                    "Uz [m/s]", "omega [1/s]", "p [Pa]", "strain", "rotation"
+                }
+            )
+            {
+                writeTabbed(os, column);
+            }
+            os  << endl;
+        }
+    }
+}
+
+
 void Foam::functionObjects::pointTracers::writeRows()
 {
     const materialPointCloud& cloud =
         mesh_.lookupObject<materialPointCloud>(materialPointCloud::cloudName);
-    const creepingFlow& flow =
-        mesh_.lookupObject<creepingFlow>(creepingFlow::typeName);
+    const creepingFlow& flow = creepingFlow::find(mesh_);
     const volScalarField& omega = mesh_.lookupObject<volScalarField>("omega");
     const volScalarField& p = mesh_.lookupObject<volScalarField>("p");
 
@@ -214,48 +261,12 @@ Foam::functionObjects::pointTracers::pointTracers
 {
     read(dict);
 
-    if (!mesh_.foundObject<materialPointCloud>(materialPointCloud::cloudName))
+    // Where times already written are processed there is no flow yet
+    if (!postProcess)
     {
-        FatalIOErrorInFunction(dict)
-            << "The case has no material points to follow" << nl
-            << "    Allowed: with constant/materialPointsProperties only"
-            << exit(FatalIOError);
+        begin();
+        writeRows();
     }
-
-    choose();
-    const bool again = restart();
-
-    if (Pstream::master())
-    {
-        files_.setSize(places_.size());
-        forAll(places_, i)
-        {
-            files_.set(i, newOutputFile("tracer" + Foam::name(i)).ptr());
-            OFstream& os = files_[i];
-            writeHeader
-            (
-                os,
-                string("Material point ") + Foam::name(identity_[i].first())
-              + ":" + Foam::name(identity_[i].second())
-              + (again ? ", followed further" : "")
-            );
-            writeCommented(os, "Time [s]");
-            for
-            (
-                const char* column :
-                {
-                    "x [m]", "y [m]", "z [m]", "Ux [m/s]", "Uy [m/s]",
-                    "Uz [m/s]", "omega [1/s]", "p [Pa]", "strain", "rotation"
-                }
-            )
-            {
-                writeTabbed(os, column);
-            }
-            os  << endl;
-        }
-    }
-
-    writeRows();
 }
 
 
@@ -266,6 +277,7 @@ bool Foam::functionObjects::pointTracers::read(const dictionary& dict)
     fvMeshFunctionObject::read(dict);
     writeFile::read(dict);
 
+    dict_ = dict;
     dict.readEntry("places", places_);
     interpolation_ = dict.getOrDefault<word>("interpolation", "cellPoint");
 
@@ -275,6 +287,10 @@ bool Foam::functionObjects::pointTracers::read(const dictionary& dict)
 
 bool Foam::functionObjects::pointTracers::execute()
 {
+    if (identity_.size() != places_.size())
+    {
+        begin();
+    }
     writeRows();
     return true;
 }

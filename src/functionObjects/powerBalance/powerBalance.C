@@ -81,8 +81,7 @@ bool Foam::functionObjects::powerBalance::read(const dictionary& dict)
 
 bool Foam::functionObjects::powerBalance::execute()
 {
-    const creepingFlow& flow =
-        mesh_.lookupObject<creepingFlow>(creepingFlow::typeName);
+    const creepingFlow& flow = creepingFlow::find(mesh_);
 
     const cosseratSystem::powerTerms power(flow.power());
     const scalar dissipation =
