@@ -45,7 +45,7 @@ class Case:
             source, target, dirs_exist_ok=True,
             ignore=shutil.ignore_patterns(
                 "[1-9]*", "0", "0.*[0-9]", "processor*", "log.*",
-                "postProcessing", "polyMesh", "*.png"))
+                "postProcessing", "polyMesh", "results", "*.png"))
         case = cls(target)
         case.restore()
         return case

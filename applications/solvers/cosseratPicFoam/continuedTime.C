@@ -114,20 +114,14 @@ Foam::dimensionedScalar Foam::continuedTime::startTime() const
 }
 
 
-bool Foam::continuedTime::writeObject
-(
-    IOstream::streamFormat fmt,
-    IOstream::versionNumber ver,
-    IOstream::compressionType cmp,
-    const bool valid
-) const
+bool Foam::continuedTime::writeObject(writeObjectParameters) const
 {
     if (!writeTime())
     {
         return false;
     }
 
-    if (!returnReduce(Time::writeObject(fmt, ver, cmp, valid), andOp<bool>()))
+    if (!returnReduce(Time::writeObject(writeObjectArguments), andOp<bool>()))
     {
         FatalErrorInFunction
             << "Time " << timeName() << " of " << path()
@@ -137,10 +131,7 @@ bool Foam::continuedTime::writeObject
     IOdictionary dict(uniformIO(written, IOobject::NO_READ));
     dict.add("startTime", timeName(startTime_, maxPrecision_));
 
-    return dict.regIOobject::writeObject
-    (
-        IOstream::ASCII, ver, IOstream::UNCOMPRESSED, true
-    );
+    return dict.regIOobject::writeObject(writeObjectInAscii);
 }
 
 

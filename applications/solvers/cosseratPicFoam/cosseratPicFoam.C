@@ -41,7 +41,7 @@ Usage
       - constant/materialProperties: the materials, see materialFields
       - constant/materialPointsProperties: the points, see materialPointCloud;
         without it there are none, and with several materials their fractions
-        alpha.<name> are read from the start time
+        alpha.\<name\> are read from the start time
       - constant/g: gravity, where a material has a density
       - 0/U, 0/p_rgh, 0/omega (the last where a material has etaC)
       - system/fvSolution, creepingFlow: see creepingFlow

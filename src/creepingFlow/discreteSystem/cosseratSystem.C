@@ -561,6 +561,7 @@ Foam::cosseratSystem::cosseratSystem
     stabilisation_(mesh, frame, halo),
     cosserat_(materials.parts().has(sceneParts::MICROROTATION)),
     compressible_(materials.parts().has(sceneParts::COMPRESSIBILITY)),
+    pressureFloats_(false),
     nonOrthogonal_(false),
     skewed_(false),
     adjoint_(false),
@@ -641,6 +642,10 @@ void Foam::cosseratSystem::update()
                 << exit(FatalError);
         }
     }
+
+    // A compressible material may be nowhere
+    pressureFloats_ =
+        boundary_.closed() && !(compressible_ && compliance() > 0);
 
     es_ = min(etaC_, eta_);
     a_ = eta_ + es_;

@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "flexibleGMRES.H"
+#include "openfoamVersion.H"
 #include "RectangularMatrix.H"
 #include "PstreamReduceOps.H"
 #include "ListOps.H"
@@ -107,7 +108,7 @@ Foam::scalar Foam::flexibleGMRES::orthogonalise
     {
         v_.products(v, products);
         Pstream::listCombineGather(products, plusEqOp<scalar>());
-        Pstream::listCombineScatter(products);
+        sendListToAll(products);
 
         const scalar sqrBefore = products[n];
         sqrLength = sqrBefore;

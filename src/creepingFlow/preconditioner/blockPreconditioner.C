@@ -184,7 +184,7 @@ void Foam::blockPreconditioner::update()
 
     if (direct_)
     {
-        if (factorisation_.empty())
+        if (!factorisation_)
         {
             factorisation_ = sparseFactorisation::New
             (
