@@ -31,7 +31,6 @@ Foam::pointAccount::pointAccount()
     nInside_(0),
     volumeInside_(0),
     nIn_(0),
-    volumeIn_(0),
     nAdded_(0),
     nDeleted_(0)
 {}
@@ -45,7 +44,7 @@ void Foam::pointAccount::open(const materialPointCloud& cloud)
     volumeInside_ = sum(cloud.census().volume());
     const label nPatches = cloud.pMesh().boundaryMesh().nNonProcessor();
     nOut_.setSize(nPatches, 0);
-    volumeOut_.setSize(nPatches, 0);
+    volumeOut_.setSize(nPatches);
 }
 
 
@@ -105,10 +104,16 @@ void Foam::pointAccount::close
 
 void Foam::pointAccount::report(const materialPointCloud& cloud) const
 {
+    longSum volumeOut;
+    for (const longSum& v : volumeOut_)
+    {
+        volumeOut += v.value();
+    }
+
     Info<< "Material points: " << nInside_ << " inside (" << volumeInside_
-        << " m3); since the start " << nIn_ << " in (" << volumeIn_
+        << " m3); since the start " << nIn_ << " in (" << volumeIn_.value()
         << " m3), " << nAdded_ << " added, " << nDeleted_ << " deleted, "
-        << sum(nOut_) << " out (" << sum(volumeOut_) << " m3)";
+        << sum(nOut_) << " out (" << volumeOut.value() << " m3)";
 
     forAll(nOut_, patchi)
     {

@@ -22,6 +22,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "extrapolated.H"
+#include "symmetryPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -111,6 +113,23 @@ void Foam::flowCouplings::extrapolated::update(const scalar dt)
 
     UBefore_ == U_;
     phiBefore_ == phi_;
+
+    // Symmetry planes are not written but evaluated, so a restart lacks the
+    // value of the step before there: by what the flow's differs from an
+    // evaluated one is that of now
+    forAll(UMid_.boundaryField(), patchi)
+    {
+        const polyPatch& pp = U_.mesh().boundaryMesh()[patchi];
+        if (isA<symmetryPolyPatch>(pp) || isA<symmetryPlanePolyPatch>(pp))
+        {
+            fvPatchVectorField& before = UBefore_.boundaryFieldRef()[patchi];
+            fvPatchVectorField& mid = UMid_.boundaryFieldRef()[patchi];
+            before.evaluate();
+            mid.evaluate();
+            mid == mid + (U_.boundaryField()[patchi] - before);
+        }
+    }
+
     dtBefore_.value() = dt;
 }
 

@@ -142,7 +142,9 @@ Foam::pointSeeding::pointSeeding
             << "    Allowed: 1 or more" << exit(FatalIOError);
     }
 
-    const List<dictionary> regions(dict.get<List<dictionary>>("regions"));
+    // Not a List: those of v1912 leak as they read dictionaries
+    PtrList<dictionary> regions;
+    dict.readEntry("regions", regions);
     regions_.setSize(regions.size());
     regionMaterial_.setSize(regions.size());
 
@@ -155,7 +157,7 @@ Foam::pointSeeding::pointSeeding
         );
     }
 
-    List<dictionary> dyes;
+    PtrList<dictionary> dyes;
     dict.readIfPresent("dye", dyes);
     dyes_.setSize(dyes.size());
     dyeMaterial_.setSize(dyes.size());
