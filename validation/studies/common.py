@@ -18,7 +18,8 @@ NAMES = ["convergence", "significance", "internalLength", "longShear",
          "siloDischarge", "granularContact", "invariants", "manufactured",
          "extremes", "solveCost", "sceneCost", "pointIntegration",
          "rigidShear", "pointDistribution", "pointCoupling", "rayleighTaylor",
-         "siloVolume", "pointCost", "freeSurface", "parallel", "speedAccuracy"]
+         "siloVolume", "pointCost", "freeSurface", "parallel", "speedAccuracy",
+         "mutations", "kills"]
 
 HERE = Path(__file__).resolve().parents[1]
 RESULTS = HERE/"results"
