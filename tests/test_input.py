@@ -5,6 +5,7 @@ import shutil
 
 import pytest
 
+from cosserat.box import add_points
 from cosserat.case import TUTORIALS
 
 MATERIALS = "constant/materialProperties"
@@ -157,9 +158,53 @@ MISTAKES = {
     "dye of no material": (POINTS, "material    granular;\n            spacing",
                            "material sand;\n            spacing",
                            ["sand", "granular"]),
+    "grid without a direction": (POINTS, "((1 0 0) (0 1 0))",
+                                 "((1 0 0) (0 0 0))",
+                                 ["directions", "zero"]),
+    "too many points": (POINTS, "pointsPerCell   16;",
+                        "pointsPerCell 900000000;",
+                        ["pointsPerCell", "2147483647"]),
     "dye without spacing": (POINTS, "spacing     0.5;", "",
                             ["spacing", "materialPointsProperties"]),
+    # What OpenFOAM reads without a word
+    "entry twice": (MATERIALS, "eta         1000;", "eta 1000; eta 10;",
+                    ["'eta' is given twice", "materialProperties"]),
+    "material twice": (MATERIALS, "    granular\n    {",
+                       "granular { rho 1; }\n granular\n {",
+                       ["'granular' is given twice", "materialProperties"]),
+    "region with an entry twice": (POINTS, "type        all;",
+                                   "type all; type box;",
+                                   ["'type' is given twice",
+                                    "materialPointsProperties"]),
+    "bracket too many": (POINTS, "velocity            conservativeLinear;",
+                         "} velocity cellPoint;",
+                         ["'}' closes nothing", "directions",
+                          "materialPointsProperties"]),
+    "bracket not closed": (POINTS, "minPointsPerCell    4;",
+                           "inflow { feed { material granular; }",
+                           ["'{' of line", "not closed",
+                            "materialPointsProperties"]),
+    "cut short": (GRAVITY, "value           (0 -10 0);", "value (0 -10",
+                  ["'(' of line", "not closed", "constant/g"]),
+    "beyond double precision": (MATERIALS, "eta         1000;", "eta 1e400;",
+                                ["'eta'", "cannot be read", "1e308"]),
+    "beyond sense": (MATERIALS, "eta         1000;", "eta 1e300;",
+                     ["eta", "1e+300", "at most 1e+40"]),
+    "below sense": (MATERIALS, "eta         1000;", "eta 1e-100;",
+                    ["eta", "1e-100", "above zero"]),
+    "empty value": (MATERIALS, "eta         1000;", "eta ;",
+                    ["eta", "empty", "above zero"]),
     # Gravity, solver, time
+    "gravity beyond sense": (GRAVITY, "(0 -10 0)", "(0 -1e300 0)",
+                             ["value", "constant/g", "1e+40"]),
+    "digits of time": (CONTROL, "timePrecision   8;",
+                       "timePrecision 800000000;",
+                       ["timePrecision", "1 to 100", "controlDict"]),
+    "step lost in the end": (CONTROL, "deltaT          1e-06;",
+                             "deltaT 1e-30;",
+                             ["deltaT", "1e-30", "endTime", "controlDict"]),
+    "write interval zero": (CONTROL, "writeInterval   4.75e-4;",
+                            "writeInterval 0;", ["writeInterval", "zero"]),
     "no gravity": (GRAVITY, "value           (0 -10 0);", "",
                    ["value", "constant/g"]),
     "dimensions of gravity": (GRAVITY, "[0 1 -2 0 0 0 0]",
@@ -187,6 +232,15 @@ MISTAKES = {
     "Courant number zero": (CONTROL, "adjustTimeStep  no;\n\nmaxCo           0.5;",
                             "adjustTimeStep yes; maxCo 0;", ["maxCo"]),
     # Fields
+    "value beyond sense": ("0/U", "uniform (0 0 0)", "uniform (1e300 0 0)",
+                           ["internalField", "0/U", "1e+40"]),
+    "pressure at a wall": ("0/p_rgh", "zeroGradient;",
+                           "fixedValue; value uniform 0;",
+                           ["fixedValue", "p_rgh", "slip", "zeroGradient"]),
+    "patch twice": ("0/omega", "boundaryField\n{",
+                    "boundaryField\n{ outerWalls { type slip; }"
+                    " outerWalls { type zeroGradient; }",
+                    ["'outerWalls' is given twice", "0/omega"]),
     "dimensions of U": ("0/U", "[0 1 -1 0 0 0 0]", "[0 1 -2 0 0 0 0]",
                         ["imension"]),
     "dimensions of p_rgh": ("0/p_rgh", "[1 -1 -2 0 0 0 0]",
@@ -267,6 +321,61 @@ def test_misspelt_entry_of_the_points_is_told(silo):
     line = next(line for line in log.splitlines() if "minPointPerCell" in line)
     assert "nothing reads but other entries" in line
     assert "materialPointsProperties" in line
+
+
+def changed_log(case, file, pattern, replacement):
+    """Log of a run with a file changed."""
+    path = case.path/file
+    original = path.read_text()
+    assert pattern in original
+    path.write_text(original.replace(pattern, replacement))
+    try:
+        return case.run("cosseratPicFoam").stdout
+    finally:
+        path.write_text(original)
+
+
+def test_misspelt_entry_of_control_is_told(silo):
+    """The Courant number misspelt would be that of the default."""
+    log = changed_log(silo, CONTROL, "maxCo ", "maxC0 ")
+    line = next(line for line in log.splitlines() if "maxC0" in line)
+    assert "nothing reads" in line and "controlDict" in line
+
+
+@pytest.mark.parametrize("box", ["min (9 9 -1); max (10 10 1);",
+                                 "min (0 1 -1); max (0.001 1.001 1);"])
+def test_region_that_holds_no_point_is_told(silo, box):
+    """Outside the mesh, or between points."""
+    log = changed_log(silo, POINTS, "regions\n    (", "regions\n    ( "
+                      "{ type all; material background; } { type box; "
+                      f"material granular; {box} }} ")
+    told = [line for line in log.splitlines() if "holds no point" in line]
+    # The one of all is hidden by the one of the tutorial
+    assert [line.split()[1] for line in told] == ["0", "1"]
+
+
+def test_later_regions_prevail(box):
+    """Where two regions overlap, the points are of the later one."""
+    case = box(n=8, materials={"a": {"eta": 1, "etaC": 0, "R": 0},
+                               "b": {"eta": 1, "etaC": 0, "R": 0}},
+               fractions=lambda x, y: x < 0)
+    left = "{ type box; material %s; min (-1 -1 -1); max (%s 1 1); }"
+    add_points(case, "{ type all; material a; }" + left % ("b", 0.25)
+               + left % ("a", 0), pointsPerCell=4)
+    case.run("cosseratPicFoam")
+    x = case.cloud("positions")[:, 0]
+    assert ((case.cloud("material") == 1) == ((x > 0) & (x < 0.25))).all()
+
+
+def test_system_calls_are_openfoams_to_allow(silo):
+    """With OpenFOAM's switch off nothing in a case runs a command."""
+    log = changed_log(
+        silo, CONTROL, "functions\n{",
+        "InfoSwitches { allowSystemOperations 0; }\nfunctions\n{ call { type"
+        " systemCall; libs (utilityFunctionObjects); executeCalls"
+        ' ("touch called"); }')
+    assert "systemCall" in log
+    assert not (silo.path/"called").exists()
 
 
 def test_mesh_of_three_dimensions(box):

@@ -1,10 +1,10 @@
 """Several processors, restarts, and runs that were killed."""
 
-import random
+import re
+import resource
 import shutil
 import signal
 import subprocess
-import time
 
 import numpy as np
 import pytest
@@ -12,6 +12,7 @@ import pytest
 from cosserat.box import add_points
 from cosserat.case import TUTORIALS, Case, RunError
 from studies import parallel
+from studies.kills import compare as compare_killed, files
 from studies.parallel import compare, costs
 from studies.siloDischarge import mesh_entries
 
@@ -88,18 +89,6 @@ def test_decompositions(serial, tmp_path, method, ranks, n, block):
             <= 1.1*costs(serial[block])["iterations"])
 
 
-def files(case, ranks):
-    """Content of the files of the latest time, by name."""
-    contents = {}
-    for rank in range(ranks):
-        path = case.path/(f"processor{rank}" if ranks > 1 else ".")
-        last = path/Case(path).times()[-1]
-        for file in last.rglob("*"):
-            if file.is_file():
-                contents[rank, str(file.relative_to(last))] = file.read_bytes()
-    return contents
-
-
 @pytest.mark.parametrize("form, adjust, ranks", [
     ("ascii", "no", 1), ("binary", "yes", 1), ("ascii", "yes", 2)])
 def test_restart_is_bitwise(tmp_path, form, adjust, ranks):
@@ -137,34 +126,55 @@ def test_restart_on_other_ranks(serial, tmp_path):
     assert row["diffPoints"] < 1e-8
 
 
-def test_killed_runs_go_on(tmp_path):
-    """kill -9 at three moments; times that are not whole are named and taken
+@pytest.mark.parametrize("ranks, kills", [(1, 3), (2, 2)])
+def test_killed_runs_go_on(tmp_path, ranks, kills):
+    """kill -9 at random moments; times that are not whole are named and taken
     away; the end is that of the run left alone."""
-    whole = silo(tmp_path/"whole", 1.5e-4, 1e-6, writeInterval=1e-5)
-    case = Case(shutil.copytree(whole.path, tmp_path/"killed"))
+    row = compare_killed(tmp_path, ranks, kills)
+    assert row["files"] >= 20*ranks
+    assert row["different"] == 0
+
+
+def run_on_full_disk(case, size):
+    """Run where no file can be longer than a size [bytes]; the log."""
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
+    done = subprocess.run(
+        ["cosseratPicFoam"], cwd=case.path, text=True, preexec_fn=limit,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    assert done.returncode == 1
+    return done.stdout
+
+
+@pytest.mark.parametrize("points, size, file", [
+    (True, 200_000, "coordinates"), (False, 2500, "U")])
+def test_full_disk(box, tmp_path, points, size, file):
+    """The run stops and names the file; the time before, though all but one
+    are purged, is usable: the end is that of the run left alone."""
+    if points:
+        case = silo(tmp_path/"case", 5e-5, 1e-6, purgeWrite=1)
+    else:
+        case = box(n=8, materials={"a": {"eta": 1, "etaC": 1, "R": .1}},
+                   walls={"top": ("type fixedValue; value uniform (1 0 0);",
+                                  "type zeroGradient;")})
+        case.substitute("system/controlDict", {
+            "startFrom": "latestTime", "endTime": 5e-5, "deltaT": 5e-5,
+            "writeFormat": "ascii; purgeWrite 1"})
+    case.run("cosseratPicFoam")
+    first = case.times()
+    case.substitute("system/controlDict", {"endTime": 1e-4})
+    whole = Case(shutil.copytree(case.path, tmp_path/"whole"))
     whole.run("cosseratPicFoam")
-    moments = random.Random(3)
-    killed = 0
-    while killed < 3 or not (case.path/whole.times()[-1]).exists():
-        before = len(case.times())
-        with subprocess.Popen(
-                ["cosseratPicFoam"], cwd=case.path, text=True,
-                stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as run:
-            if killed < 3:
-                # Some steps on, then at any moment of a step
-                while len(case.times()) < before + 3 and run.poll() is None:
-                    time.sleep(0.002)
-                time.sleep(moments.uniform(0, 0.05))
-                run.kill()
-                killed += 1
-            log = run.communicate()[0]
-        if "is not wholly written" in log:
-            assert f"Time {case.times()[-1]} of" in log
-        else:
-            assert run.returncode in (0, -signal.SIGKILL), log[-2000:]
-        last = case.path/case.times()[-1]
-        if not (last/"uniform/written").exists():
-            shutil.rmtree(last)
+
+    log = run_on_full_disk(case, size)
+    assert re.search(rf"FATAL(.*\n)+?.*/0.0001/.*{file}\W", log), log[-2000:]
+    assert case.times() == first + ["0.0001"]
+    with pytest.raises(RunError, match="0.0001 of .* is not wholly written"):
+        case.run("cosseratPicFoam")
+    shutil.rmtree(case.path/"0.0001")
+    case.run("cosseratPicFoam")
     assert files(case, 1) == files(whole, 1)
 
 
@@ -178,6 +188,14 @@ def test_half_written_times_are_named(tmp_path):
         text = path.read_text()
         path.write_text(text[:2*len(text)//3])
 
+    def change(path, pattern, new):
+        """The third point, in the fourth row behind the number of points."""
+        head, n, rest = re.split(r"^(\d+\n\()", path.read_text(), 1, re.M)
+        rows = rest.split("\n")
+        rows[3] = re.sub(pattern, new, rows[3])
+        path.write_text(head + n + "\n".join(rows))
+
+    cloud = "lagrangian/materialPoints"
     faults = [
         (lambda t: (t/"uniform/written").unlink(),
          rf"Time {last} of .* is not wholly written[^!]* before is {first}"),
@@ -190,6 +208,14 @@ def test_half_written_times_are_named(tmp_path):
         (lambda t: (t/"lagrangian/materialPoints/volume").unlink(),
          "lagrangian/materialPoints/volume"),
         (lambda t: shorten(t/"U"), f"{last}/U"),
+        (lambda t: change(t/cloud/"coordinates", r"\) \d+", ") 99999"),
+         f"Point 2 of .*{last}/{cloud}.* is in cell 99999"),
+        (lambda t: change(t/cloud/"coordinates", r"^\(\S+", "(7.5"),
+         f"Point 2 of .*{last}/{cloud}.* at its coordinates .7.5"),
+        (lambda t: change(t/cloud/"volume", ".+", "-1"),
+         f"Point 2 of .*{last}/{cloud}.* volume -1"),
+        (lambda t: change(t/cloud/"material", ".+", "7"),
+         f"Point 2 of .*{last}/{cloud}.* of material 7"),
     ]
     for i, (spoil, message) in enumerate(faults):
         case = Case(shutil.copytree(whole.path, tmp_path/str(i)))

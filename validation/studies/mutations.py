@@ -255,13 +255,38 @@ def message(log):
     return " ".join(match[1].split()) if match else ""
 
 
+def unnamed(row, case, log):
+    """What the end of the log does not name: file, entry, or '' if all."""
+    # OpenFOAM's own messages may leave it to the line before which file it is
+    end = log[max(log.find("FOAM FATAL"), 0):]
+    reading = re.findall(r"^Reading (\S+)", log, re.M)[-1:]
+    file = row["file"].split("/")[-1]
+
+    # Walls are included in the fields
+    names = [file] + (["0/U", "0/omega"] if file == "walls" else [])
+    if row["entry"].startswith("functions/"):
+        # By its name
+        names.append(row["entry"].split("/")[1])
+    if (not any(name in end for name in names) and reading != [row["file"]]
+            and not (reading and file == "walls")):
+        return "names not the file"
+
+    # What OpenFOAM reads it names by line; of a variable, the entry with it
+    words = re.findall(r"[\w.]+", row["entry"])
+    own = row["file"] in KNOWN and file != "controlDict"
+    whole = row["mutation"] in ("delete", "misspell", "duplicate")
+    if (own and words and not row["mutation"].startswith("bracket")
+            and f"${words[-1]}" not in (case.path/row["file"]).read_text()
+            and not any(word in end for word in words[0 if whole else -2:])):
+        return "names not the entry"
+    return ""
+
+
 def judge(row, case, code, log, usual):
     """Add to a row its outcome and its fault, '' if none; usual: what is told
     without a mistake."""
     fault = ""
     reason = message(log)
-    words = re.findall(r"[\w.]+", row["entry"])
-    whole = row["mutation"] in ("delete", "misspell", "duplicate")
     if code == "hang":
         outcome = "hangs"
         fault = "neither ends nor gets on"
@@ -273,18 +298,7 @@ def judge(row, case, code, log, usual):
         fault = f"exit code {code}"
     elif code == 1:
         outcome = "refused"
-        # Of what is missing the dictionary may be named that it was in, and
-        # the walls by the fields that include them
-        end = log[log.index("FOAM FATAL"):] if reason else ""
-        names = [row["file"].split("/")[-1]] + (
-            ["0/U", "0/omega"] if "walls" in row["file"] else [])
-        if not reason:
-            fault = "ends without a message"
-        elif not any(name in end for name in names):
-            fault = "names not the file"
-        elif (words and names[1:] == [] and not any(
-                word in end for word in words[0 if whole else -2:])):
-            fault = "names not the entry"
+        fault = unnamed(row, case, log)
     else:
         warned = set(told(log)) - usual
         outcome = "warned" if warned else "ran"
@@ -292,7 +306,8 @@ def judge(row, case, code, log, usual):
         if found:
             fault = f"not a finite number in {found}"
         elif (row["file"] in KNOWN and not warned
-              and not re.search(r"(materials|functions)/\w+$", row["entry"])
+              # Names that the user gives
+              and not re.search(r"materials/\w+$|functions/", row["entry"])
               and row["mutation"] in ("misspell", "duplicate", "bracket more",
                                       "bracket less", "cut")):
             fault = "passed over in silence"

@@ -24,10 +24,40 @@ License
 #include "continuedTime.H"
 #include "IOdictionary.H"
 #include "PstreamReduceOps.H"
+#include "uncollatedFileOperation.H"
+#include <fstream>
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
 static const Foam::word written("written");
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Whether a file that begins as OpenFOAM's ends as those do
+static bool wholeFile(const Foam::fileName& name)
+{
+    std::ifstream file(name, std::ios::binary);
+    std::string head(1000, ' '), tail(200, ' ');
+
+    file.read(&head[0], head.size());
+    if (file.gcount() == 0)
+    {
+        return false;
+    }
+    if (head.find("FoamFile") == std::string::npos)
+    {
+        return true;
+    }
+
+    file.clear();
+    file.seekg(0, std::ios::end);
+    const std::streamoff size = file.tellg();
+    file.seekg(std::max<std::streamoff>(size - tail.size(), 0));
+    file.read(&tail[0], tail.size());
+
+    return tail.find("// ****") != std::string::npos;
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -63,6 +93,77 @@ void Foam::continuedTime::refuse() const
         << "    A run has been stopped while it wrote this time. Delete its"
         << " directory (of all processors); the last one before is "
         << before << exit(FatalError);
+}
+
+
+Foam::fileName Foam::continuedTime::cutShort(const fileName& dir) const
+{
+    for (const fileName& name : readDir(dir, fileName::FILE, false))
+    {
+        if (!wholeFile(dir/name) && !name.hasExt("gz"))
+        {
+            return dir/name;
+        }
+    }
+
+    for (const fileName& name : readDir(dir, fileName::DIRECTORY))
+    {
+        const fileName found(cutShort(dir/name));
+        if (!found.empty())
+        {
+            return found;
+        }
+    }
+
+    return fileName();
+}
+
+
+void Foam::continuedTime::checkWritten(const bool good) const
+{
+    fileName found;
+    if (isA<fileOperations::uncollatedFileOperation>(fileHandler()))
+    {
+        found = cutShort(timePath());
+    }
+
+    if (!returnReduce(good && found.empty(), andOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "Time " << timeName() << " of " << path()
+            << " could not be written: is the disk full?" << nl;
+        if (!found.empty())
+        {
+            FatalError << "    " << found << " is cut short" << nl;
+        }
+        FatalError
+            << "    Times before are as they were; delete this one to go on"
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::continuedTime::purge() const
+{
+    if (!purgeWrite_)
+    {
+        return;
+    }
+
+    if (previousWriteTimes_.empty() || previousWriteTimes_.top() != timeName())
+    {
+        previousWriteTimes_.push(timeName());
+    }
+    while (previousWriteTimes_.size() > purgeWrite_)
+    {
+        fileHandler().rmDir
+        (
+            fileHandler().filePath
+            (
+                objectRegistry::path(previousWriteTimes_.pop())
+            )
+        );
+    }
 }
 
 
@@ -121,17 +222,19 @@ bool Foam::continuedTime::writeObject(writeObjectParameters) const
         return false;
     }
 
-    if (!returnReduce(Time::writeObject(writeObjectArguments), andOp<bool>()))
-    {
-        FatalErrorInFunction
-            << "Time " << timeName() << " of " << path()
-            << " could not be written: is the disk full?" << exit(FatalError);
-    }
+    // Time would delete older ones before this one is whole
+    label& purgeWrite = const_cast<label&>(purgeWrite_);
+    const label nKept = purgeWrite;
+    purgeWrite = 0;
+    checkWritten(Time::writeObject(writeObjectArguments));
+    purgeWrite = nKept;
 
     IOdictionary dict(uniformIO(written, IOobject::NO_READ));
     dict.add("startTime", timeName(startTime_, maxPrecision_));
+    checkWritten(dict.regIOobject::writeObject(writeObjectInAscii));
+    purge();
 
-    return dict.regIOobject::writeObject(writeObjectInAscii);
+    return true;
 }
 
 

@@ -83,7 +83,9 @@ namespace Foam
 
         const scalar value = scale*number.number();
 
-        if (!checkedEntry::inRange(value))
+        const bool lost = value != 0 && mag(value)*checkedEntry::largest < 1;
+
+        if (!checkedEntry::inRange(value) || lost)
         {
             checkedEntry::refuse(dict, key, Foam::name(value), allowed);
         }
@@ -113,7 +115,7 @@ namespace Foam
 bool Foam::checkedEntry::inRange(const scalar value)
 {
     // Not so where it is no number
-    return mag(value) <= largest && (value == 0 || mag(value)*largest >= 1);
+    return mag(value) <= largest;
 }
 
 
@@ -152,6 +154,19 @@ Foam::dimensionedScalar Foam::checkedEntry::nonNegative
     }
 
     return value;
+}
+
+
+Foam::scalar Foam::checkedEntry::place
+(
+    const word& key,
+    const dictionary& dict
+)
+{
+    return readFinite
+    (
+        key, dimLength, dict, "a number of at most " + Foam::name(largest)
+    ).value();
 }
 
 

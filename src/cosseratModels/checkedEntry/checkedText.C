@@ -30,9 +30,14 @@ License
 
 void Foam::checkedText::next()
 {
+    token_.clear();
+    if (written_)
+    {
+        return;
+    }
+
     token t;
     is_.read(t);
-    token_.clear();
 
     if (t.good())
     {

@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialOutflow.H"
+#include "checkedEntry.H"
 #include "materialPointCloud.H"
 #include "creepingFlow.H"
 #include "planarFrame.H"
@@ -156,7 +157,7 @@ bool Foam::functionObjects::materialOutflow::read(const dictionary& dict)
     dict_ = dict;
     dict.readEntry("material", material_);
     dict.readEntry("point", point_);
-    normal_ = normalised(dict.get<vector>("normal"));
+    normal_ = checkedEntry::direction("normal", dict);
 
     return true;
 }

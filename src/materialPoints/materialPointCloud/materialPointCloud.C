@@ -69,6 +69,52 @@ void Foam::materialPointCloud::checkStart() const
 }
 
 
+void Foam::materialPointCloud::checkRead() const
+{
+    label i = 0;
+    for (const materialPoint& p : *this)
+    {
+        const barycentric& y = p.coordinates();
+        const label facei = p.tetFace();
+
+        const bool inFace =
+            p.cell() >= 0 && p.cell() < mesh_.nCells()
+         && facei >= 0 && facei < mesh_.nFaces()
+         && p.tetPt() >= 1 && p.tetPt() < mesh_.faces()[facei].size() - 1
+         && (
+                mesh_.faceOwner()[facei] == p.cell()
+             || (
+                    mesh_.isInternalFace(facei)
+                 && mesh_.faceNeighbour()[facei] == p.cell()
+                )
+            );
+        // But for the rounding of tracks
+        const bool inside = cmptMin(y) > -0.1 && mag(cmptSum(y) - 1) < 1e-3;
+
+        if
+        (
+            !inFace || !inside
+         || p.material() < 0 || p.material() >= materials_.size()
+         || !(p.volume() > 0 && checkedEntry::inRange(p.volume()))
+        )
+        {
+            FatalErrorInFunction
+                << "Point " << i << " of "
+                << mesh_.time().timePath()/cloud::prefix/cloudName
+                << " is in cell " << p.cell() << " at its coordinates " << y
+                << ", of material " << p.material() << " and volume "
+                << p.volume() << nl
+                << "    Allowed: places in the " << mesh_.nCells()
+                << " cells of this mesh, materials 0 to "
+                << materials_.size() - 1 << " of "
+                << flatOutput(materials_) << ", volumes above zero"
+                << exit(FatalError);
+        }
+        ++i;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::materialPointCloud::materialPointCloud
@@ -107,6 +153,7 @@ Foam::materialPointCloud::materialPointCloud
     particle::writeLagrangianPositions = true;
 
     materialPoint::readFields(*this);
+    checkRead();
 
     const bool restart = nPoints() > 0;
     if (!restart)

@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "flowBoundary.H"
+#include "checkedEntry.H"
 #include "wallCurvature.H"
 #include "planarFrame.H"
 #include "tangentialTractionFvPatchVectorField.H"
@@ -146,6 +147,30 @@ void Foam::flowBoundary::classifyRotation(const label patchi)
 }
 
 
+void Foam::flowBoundary::checkValues
+(
+    const word& field,
+    const word& patch,
+    const scalarField& values
+) const
+{
+    for (const scalar value : values)
+    {
+        if (!checkedEntry::inRange(value))
+        {
+            const Time& time = U_.time();
+
+            FatalErrorInFunction
+                << "Patch " << patch << " of field " << field << " ("
+                << fileName(time.timeName())/field << ") has a value of "
+                << value << " at time " << time.timeName() << nl
+                << "    Allowed: up to " << checkedEntry::largest
+                << exit(FatalError);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::flowBoundary::flowBoundary
@@ -190,6 +215,17 @@ Foam::flowBoundary::flowBoundary
         forAll(pRgh.boundaryField()[patchi], facei)
         {
             pressureFixed_[start + facei] = fixed;
+        }
+
+        const fvPatchVectorField& Up = U.boundaryField()[patchi];
+        if (fixed && !isA<zeroGradientFvPatchVectorField>(Up))
+        {
+            refuse
+            (
+                pRgh, patchi,
+                "zeroGradient and others that fix no value, since U is of type "
+              + Up.type() + "; a pressure is given where that is zeroGradient"
+            );
         }
         anyPressure_ = anyPressure_ || fixed;
     }
@@ -272,6 +308,13 @@ void Foam::flowBoundary::update()
             couple_[i] = couple[facei];
             pressure_[i] = pp[facei];
         }
+
+        const word& name = Up.patch().name();
+        checkValues("U", name, mag(Up));
+        checkValues("U", name, mag(traction));
+        checkValues("omega", name, mag(wp));
+        checkValues("omega", name, mag(couple));
+        checkValues("p_rgh", name, mag(pp));
     }
 }
 

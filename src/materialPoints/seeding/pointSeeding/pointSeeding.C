@@ -25,6 +25,7 @@ License
 #include "checkedEntry.H"
 #include "materialPointCloud.H"
 #include "planarCells.H"
+#include "globalMeshData.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -81,13 +82,13 @@ Foam::pointField Foam::pointSeeding::places
 }
 
 
-Foam::label Foam::pointSeeding::material(const point& p) const
+Foam::label Foam::pointSeeding::region(const point& p) const
 {
     for (label i = regions_.size() - 1; i >= 0; --i)
     {
         if (regions_[i].contains(p))
         {
-            return regionMaterial_[i];
+            return i;
         }
     }
 
@@ -142,6 +143,17 @@ Foam::pointSeeding::pointSeeding
             << "    Allowed: 1 or more" << exit(FatalIOError);
     }
 
+    const scalar nPoints =
+        scalar(pointsPerCell_)*mesh.globalData().nTotalCells();
+    if (nPoints > labelMax)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'pointsPerCell' is " << pointsPerCell_
+            << ", which makes " << nPoints << " points" << nl
+            << "    Allowed: up to " << labelMax << " points"
+            << exit(FatalIOError);
+    }
+
     // Not a List: those of v1912 leak as they read dictionaries
     PtrList<dictionary> regions;
     dict.readEntry("regions", regions);
@@ -182,12 +194,15 @@ void Foam::pointSeeding::seed(materialPointCloud& cloud) const
 {
     const planarCells cells(mesh_);
     const scalarField& V = mesh_.V();
+    labelList nIn(regions_.size(), Zero);
 
     forAll(V, celli)
     {
         for (const point& p : places(cells.corners(celli)))
         {
-            const label m = material(p);
+            const label r = region(p);
+            const label m = regionMaterial_[r];
+            ++nIn[r];
             cloud.addParticle
             (
                 new materialPoint
@@ -195,6 +210,17 @@ void Foam::pointSeeding::seed(materialPointCloud& cloud) const
                     mesh_, p, celli, m, dye(p, m), V[celli]/pointsPerCell_
                 )
             );
+        }
+    }
+
+    Pstream::listCombineGather(nIn, plusEqOp<label>());
+    forAll(nIn, i)
+    {
+        if (nIn[i] == 0)
+        {
+            Info<< "Region " << i << " of constant/materialPointsProperties ("
+                << regions_[i].type() << ") holds no point: it is outside the"
+                << " mesh, between points, or later ones prevail" << nl;
         }
     }
 }

@@ -44,7 +44,7 @@ Foam::dyePatterns::bands::bands
 :
     dyePattern(dict),
     across_(checkedEntry::direction("across", dict)),
-    start_(dict.get<scalar>("start")),
+    start_(checkedEntry::place("start", dict)),
     width_(checkedEntry::positive("width", dimLength, dict).value()),
     period_(checkedEntry::positive("period", dimLength, dict).value())
 {
@@ -74,7 +74,8 @@ Foam::label Foam::dyePatterns::bands::mark(const point& p) const
     if (band >= scalar(labelMax))
     {
         FatalErrorInFunction
-            << "Entry 'period' of dye bands is " << period_
+            << "Entry 'period' of dye bands in"
+            << " constant/materialPointsProperties is " << period_
             << ", which makes " << band << " bands up to " << p << nl
             << "    Allowed: up to " << labelMax << " bands"
             << exit(FatalError);
