@@ -2,12 +2,13 @@
 of this solver."""
 
 import shutil
+import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from cosserat.case import Case, TUTORIALS
+from cosserat.case import Case, ROOT, TUTORIALS
 
 #: The block of grains of the template, in cells of a 20 x 20 mesh
 BLOCK = "(0.2 0.4 -1) (0.6 0.8 1)"
@@ -43,6 +44,19 @@ def test_options_of_the_solver(template):
     for word in ("material points", "-case", "-parallel", "-doc",
                  "-dry-run", "-postProcess"):
         assert word in text, word
+
+
+def test_completion_of_options():
+    """In an interactive shell, by OpenFOAM's own completion."""
+    text = subprocess.run(
+        ["bash", "--norc", "-ic", """
+source "$WM_PROJECT_DIR/etc/bashrc"
+source etc/bashrc
+complete -p cosseratPicFoam && _of_complete_ cosseratPicFoam -
+echo "${COMPREPLY[@]}" """], cwd=ROOT, stdout=subprocess.PIPE, text=True,
+        check=False).stdout
+    assert "_of_complete_ cosseratPicFoam" in text
+    assert "-postProcess" in text and "-dry-run" in text
 
 
 def test_doc_names_files_that_are_there(template):
