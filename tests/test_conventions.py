@@ -52,7 +52,8 @@ def test_completion_of_options():
         ["bash", "--norc", "-ic", """
 source "$WM_PROJECT_DIR/etc/bashrc"
 source etc/bashrc
-complete -p cosseratPicFoam && _of_complete_ cosseratPicFoam -
+complete -p cosseratPicFoam
+_of_complete_ cosseratPicFoam - cosseratPicFoam
 echo "${COMPREPLY[@]}" """], cwd=ROOT, stdout=subprocess.PIPE, text=True,
         check=False).stdout
     assert "_of_complete_ cosseratPicFoam" in text
