@@ -67,6 +67,19 @@ def test_doc_names_files_that_are_there(template):
     assert len(files) == 4 and all(file.exists() for file in files)
 
 
+@pytest.mark.parametrize("option", ["-dry-run", "-dry-run-write"])
+def test_dry_run_is_the_first_step(template, option):
+    """On the mesh of the case; it writes a time only where asked to."""
+    case, run = template(), template("run", endTime=0.01)
+    text = case.run("cosseratPicFoam", option, log=False).stdout
+    run.run("cosseratPicFoam")
+    steps = [[line for line in each.splitlines() if "Solving for" in line]
+             for each in (text, run.log())]
+    assert len(steps[0]) == 6 and steps[0] == steps[1]
+    assert case.times() == (["0.01"] if option.endswith("write") else [])
+    assert not (case.path/"postProcessing").exists()
+
+
 def test_postProcess_gives_what_the_run_gave(template):
     """Function objects on times written, and what OpenFOAM's own program says
     instead."""

@@ -56,6 +56,7 @@ SourceFiles
     cosseratPicFoam.C
     checkTimeControls.H
     continuedTime.C
+    createCaseMesh.H
     createFields.H
     createGravity.H
     createPoints.H
@@ -89,7 +90,7 @@ int main(int argc, char *argv[])
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
     continuedTime runTime(args);
-    #include "createMesh.H"
+    #include "createCaseMesh.H"
     #include "createTimeControls.H"
     #include "checkTimeControls.H"
 
