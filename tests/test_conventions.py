@@ -2,12 +2,13 @@
 of this solver."""
 
 import shutil
+import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from cosserat.case import Case, TUTORIALS
+from cosserat.case import Case, ROOT, TUTORIALS
 
 #: The block of grains of the template, in cells of a 20 x 20 mesh
 BLOCK = "(0.2 0.4 -1) (0.6 0.8 1)"
@@ -45,11 +46,38 @@ def test_options_of_the_solver(template):
         assert word in text, word
 
 
+def test_completion_of_options():
+    """In an interactive shell, by OpenFOAM's own completion."""
+    text = subprocess.run(
+        ["bash", "--norc", "-ic", """
+source "$WM_PROJECT_DIR/etc/bashrc"
+source etc/bashrc
+complete -p cosseratPicFoam
+_of_complete_ cosseratPicFoam - cosseratPicFoam
+echo "${COMPREPLY[@]}" """], cwd=ROOT, stdout=subprocess.PIPE, text=True,
+        check=False).stdout
+    assert "_of_complete_ cosseratPicFoam" in text
+    assert "-postProcess" in text and "-dry-run" in text
+
+
 def test_doc_names_files_that_are_there(template):
     """-doc, and not a page of openfoam.com that there is none of."""
     text = template().run("cosseratPicFoam", "-doc", log=False).stdout
     files = [Path(word) for word in text.split() if word.startswith("/")]
     assert len(files) == 4 and all(file.exists() for file in files)
+
+
+@pytest.mark.parametrize("option", ["-dry-run", "-dry-run-write"])
+def test_dry_run_is_the_first_step(template, option):
+    """On the mesh of the case; it writes a time only where asked to."""
+    case, run = template(), template("run", endTime=0.01)
+    text = case.run("cosseratPicFoam", option, log=False).stdout
+    run.run("cosseratPicFoam")
+    steps = [[line for line in each.splitlines() if "Solving for" in line]
+             for each in (text, run.log())]
+    assert len(steps[0]) == 6 and steps[0] == steps[1]
+    assert case.times() == (["0.01"] if option.endswith("write") else [])
+    assert not (case.path/"postProcessing").exists()
 
 
 def test_postProcess_gives_what_the_run_gave(template):

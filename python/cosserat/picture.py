@@ -1,5 +1,4 @@
-"""Pictures and animations of a case, by matplotlib: fields, points with their
-dye, velocity.
+"""Pictures and animations of a case: fields, points with dye, velocity.
 
     foamPicture CASE -field omega          # cells coloured by a field
     foamPicture CASE -arrows -o dye.png    # points, dye and velocity

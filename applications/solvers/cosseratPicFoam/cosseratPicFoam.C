@@ -57,6 +57,7 @@ SourceFiles
     checkInput.H
     checkTimeControls.H
     continuedTime.C
+    createCaseMesh.H
     createFields.H
     createGravity.H
     createPoints.H
@@ -94,7 +95,7 @@ int main(int argc, char *argv[])
     #include "setRootCaseLists.H"
     #include "checkInput.H"
     continuedTime runTime(args);
-    #include "createMesh.H"
+    #include "createCaseMesh.H"
     #include "createTimeControls.H"
     #include "checkTimeControls.H"
 
