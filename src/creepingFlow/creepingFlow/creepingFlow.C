@@ -225,11 +225,19 @@ void Foam::creepingFlow::unpack()
         {
             const label slot = halo_.start(patchi) + i;
             Ub[i] = system_.boundaryVelocity(slot);
-            omegab[i] =
-                system_.cosserat()
-             && !system_.rotationUndetermined(cells[i])
-              ? system_.boundaryRotation(slot)
-              : omega_[cells[i]];
+            omegab[i] = omega_[cells[i]];
+            if (system_.cosserat())
+            {
+                // What is given stays so for the material that may come
+                if (boundary_.rotationFixed(boundary_.at(slot)))
+                {
+                    omegab[i] = boundary_.rotation(boundary_.at(slot));
+                }
+                else if (!system_.rotationUndetermined(cells[i]))
+                {
+                    omegab[i] = system_.boundaryRotation(slot);
+                }
+            }
             pb[i] = system_.boundaryPressure(slot);
             rghb[i] = system_.rhoGh()[cells[i]];
         }
