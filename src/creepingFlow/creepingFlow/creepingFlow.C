@@ -299,8 +299,8 @@ void Foam::creepingFlow::report()
             << " maxIter or nDirections, block direct in preconditioner, a"
             << " larger tolerance; or notConverged warn, to go on all the"
             << " same." << nl
-            << "    In the scene: cells nearer to squares (from about 10 : 1 and"
-            << " 45 degrees on they cost iterations), a smaller etaC/eta or"
+            << "    In the scene: cells nearer to squares (from about 10 : 1"
+            << " and 45 degrees on they cost iterations), a smaller etaC/eta or"
             << " contrast (beyond 1e3 and 1e6 the flow hardly depends on"
             << " them)" << exit(FatalError);
     }
