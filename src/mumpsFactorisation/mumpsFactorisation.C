@@ -106,7 +106,10 @@ Foam::mumpsFactorisation::mumpsFactorisation(const label nLocal)
     call(-1);
 
     // By the numbers of its manual
-    auto control = [&](const label i) -> MUMPS_INT& { return mumps_.icntl[i - 1]; };
+    auto control = [&](const label i) -> MUMPS_INT&
+    {
+        return mumps_.icntl[i - 1];
+    };
     control(1) = control(2) = control(3) = -1;
     control(4) = 0;
     control(7) = 3;         // ordered by Scotch

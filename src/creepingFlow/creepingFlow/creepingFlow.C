@@ -255,11 +255,19 @@ void Foam::creepingFlow::unpack()
         {
             const label slot = halo_.start(patchi) + i;
             Ub[i] = system_.boundaryVelocity(slot);
-            omegab[i] =
-                system_.cosserat()
-             && !system_.rotationUndetermined(cells[i])
-              ? system_.boundaryRotation(slot)
-              : omega_[cells[i]];
+            omegab[i] = omega_[cells[i]];
+            if (system_.cosserat())
+            {
+                // What is given stays so for the material that may come
+                if (boundary_.rotationFixed(boundary_.at(slot)))
+                {
+                    omegab[i] = boundary_.rotation(boundary_.at(slot));
+                }
+                else if (!system_.rotationUndetermined(cells[i]))
+                {
+                    omegab[i] = system_.boundaryRotation(slot);
+                }
+            }
             pb[i] = system_.boundaryPressure(slot);
             rghb[i] = system_.rhoGh()[cells[i]];
         }
@@ -321,8 +329,8 @@ void Foam::creepingFlow::report()
             << " maxIter or nDirections, block direct in preconditioner, a"
             << " larger tolerance; or notConverged warn, to go on all the"
             << " same." << nl
-            << "    In the scene: cells nearer to squares (from about 10 : 1 and"
-            << " 45 degrees on they cost iterations), a smaller etaC/eta or"
+            << "    In the scene: cells nearer to squares (from about 10 : 1"
+            << " and 45 degrees on they cost iterations), a smaller etaC/eta or"
             << " contrast (beyond 1e3 and 1e6 the flow hardly depends on"
             << " them)" << exit(FatalError);
     }

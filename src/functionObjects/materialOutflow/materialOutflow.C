@@ -129,7 +129,11 @@ Foam::functionObjects::materialOutflow::materialOutflow
 
     if (Pstream::master())
     {
-        writeHeader(file(), "Volume of " + material_ + " a thickness of the mesh");
+        writeHeader
+        (
+            file(),
+            "Volume of " + material_ + " a thickness of the mesh"
+        );
         writeCommented(file(), "Time [s]");
         writeTabbed(file(), "beyond the plane [m2]");
         writeTabbed(file(), "flux through the plane [m2/s]");
