@@ -48,6 +48,14 @@ namespace Foam
             name, mesh.time().timeName(), mesh, read, IOobject::AUTO_WRITE
         );
     }
+
+    //- Of a field that is read to be copied
+    static IOobject inputIO(const word& name, const fvMesh& mesh)
+    {
+        IOobject io(fieldIO(name, mesh, IOobject::MUST_READ));
+        io.registerObject() = false;
+        return io;
+    }
 }
 
 
@@ -88,25 +96,30 @@ bool Foam::creepingFlow::readGoOn() const
 }
 
 
-Foam::volScalarField Foam::creepingFlow::readOmega() const
+Foam::volScalarField Foam::creepingFlow::readOmega
+(
+    const materialFields& materials
+)
 {
     // Where nothing solves for it a file is read all the same, so that what
     // its patches ask for in vain can be told
-    IOobject io(fieldIO("omega", mesh_, IOobject::MUST_READ));
+    const fvMesh& mesh = materials.mesh();
+    IOobject io(inputIO("omega", mesh));
 
     if
     (
-        materials_.parts().has(sceneParts::MICROROTATION)
+        materials.parts().has(sceneParts::MICROROTATION)
      || io.typeHeaderOk<volScalarField>(true)
     )
     {
-        return volScalarField(io, mesh_);
+        return volScalarField(io, mesh);
     }
 
+    io.readOpt() = IOobject::NO_READ;
     return volScalarField
     (
-        fieldIO("omega", mesh_, IOobject::NO_READ),
-        mesh_,
+        io,
+        mesh,
         dimensionedScalar(dimless/dimTime, Zero),
         "calculated"
     );
@@ -303,6 +316,24 @@ void Foam::creepingFlow::report()
 
 Foam::creepingFlow::creepingFlow(const materialFields& materials)
 :
+    creepingFlow
+    (
+        materials,
+        volVectorField(inputIO("U", materials.mesh()), materials.mesh()),
+        volScalarField(inputIO("p_rgh", materials.mesh()), materials.mesh()),
+        readOmega(materials)
+    )
+{}
+
+
+Foam::creepingFlow::creepingFlow
+(
+    const materialFields& materials,
+    const volVectorField& U,
+    const volScalarField& pRgh,
+    const volScalarField& omega
+)
+:
     regIOobject
     (
         IOobject
@@ -318,8 +349,8 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
     materials_(materials),
     controls_(mesh_.solutionDict().subOrEmptyDict(typeName)),
     goOn_(readGoOn()),
-    U_(fieldIO("U", mesh_, IOobject::MUST_READ), mesh_),
-    pRgh_(fieldIO("p_rgh", mesh_, IOobject::MUST_READ), mesh_),
+    U_(fieldIO("U", mesh_, IOobject::NO_READ), U),
+    pRgh_(fieldIO("p_rgh", mesh_, IOobject::NO_READ), pRgh),
     p_
     (
         fieldIO("p", mesh_, IOobject::NO_READ),
@@ -327,7 +358,7 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
         dimensionedScalar(dimPressure, Zero),
         "calculated"
     ),
-    omega_(readOmega()),
+    omega_(fieldIO("omega", mesh_, IOobject::NO_READ), omega),
     phi_
     (
         fieldIO("phi", mesh_, IOobject::NO_READ),
