@@ -140,6 +140,7 @@ Foam::functionObjects::errorEstimate::fromDifferences
     const scalarField& size,
     const scalarField& first,
     const scalarField& second,
+    const bool jumps,
     const pointField& places
 ) const
 {
@@ -158,10 +159,12 @@ Foam::functionObjects::errorEstimate::fromDifferences
     }
 
     estimate result;
+    result.measured =
+        d1 > 0 && d2 > 0 ? Foam::log(d2/d1)/Foam::log(scalar(2)) : 0;
     result.order =
         order_ > 0 ? order_
-      : second.empty() || d1 <= 0 || d2 <= 0 ? 2
-      : min(max(Foam::log(d2/d1)/Foam::log(scalar(2)), scalar(1)), scalar(3));
+      : jumps ? 1
+      : min(max(result.measured, scalar(2)), scalar(3));
 
     const scalar share = 1/(Foam::pow(scalar(2), result.order) - 1);
     result.difference = d1/max(sum, VSMALL);
@@ -212,9 +215,15 @@ void Foam::functionObjects::errorEstimate::estimateAll
     }
 
     const pointField& places = fine.geometry().centres();
-    U = fromDifferences(mag(fine.velocity()), firstU, secondU, places);
-    omega =
-        fromDifferences(mag(fine.rotation()), firstOmega, secondOmega, places);
+    const bool jumps = fine.jump() > 2;
+    U = fromDifferences
+    (
+        mag(fine.velocity()), firstU, secondU, jumps, places
+    );
+    omega = fromDifferences
+    (
+        mag(fine.rotation()), firstOmega, secondOmega, jumps, places
+    );
 }
 
 
@@ -277,6 +286,7 @@ Foam::functionObjects::errorEstimate::errorEstimate
             const char* column :
             {
                 "Err(U)", "Err(omega)", "order(U)", "order(omega)",
+                "measured order(U)", "measured order(omega)",
                 "difference to half the cells(U)",
                 "difference to half the cells(omega)",
                 "worst(U) [m/s]", "x [m]", "y [m]", "z [m]",
@@ -394,6 +404,7 @@ bool Foam::functionObjects::errorEstimate::write()
             const scalar value :
             {
                 U.relative, omega.relative, U.order, omega.order,
+                U.measured, omega.measured,
                 U.difference, omega.difference,
                 U.worst, U.place.x(), U.place.y(), U.place.z(),
                 omega.worst, omega.place.x(), omega.place.y(),
@@ -407,9 +418,10 @@ bool Foam::functionObjects::errorEstimate::write()
     }
 
     Log << type() << ' ' << name() << ": error of U " << 100*U.relative
-        << " % (order " << U.order << "), of omega " << 100*omega.relative
-        << " % (order " << omega.order << "); worst of U at " << U.place
-        << endl;
+        << " % (order " << U.order << ", measured " << U.measured
+        << "), of omega " << 100*omega.relative << " % (order "
+        << omega.order << ", measured " << omega.measured
+        << "); worst of U at " << U.place << endl;
 
     return true;
 }

@@ -211,6 +211,7 @@ Foam::planarFlow::planarFlow
     mesh_(flow.materials().mesh()),
     frame_(frame),
     geometry_(mesh_, frame),
+    jump_(1),
     U_(gathered<vector>(U().primitiveField())),
     omega_(gathered<scalar>(omega().primitiveField())),
     pRgh_(gathered<scalar>(pRgh().primitiveField()))
@@ -229,6 +230,19 @@ Foam::planarFlow::planarFlow
 
     if (flow.materials().parts().has(sceneParts::AVERAGES))
     {
+        const scalarField a
+        (
+            etaC + gathered<scalar>(flow.materials().eta().primitiveField())
+        );
+        for (const planarMesh::side& s : geometry_.sides())
+        {
+            if (s.neighbour >= 0)
+            {
+                jump_ = max(jump_, a[s.owner]/a[s.neighbour]);
+                jump_ = max(jump_, a[s.neighbour]/a[s.owner]);
+            }
+        }
+
         for (const word& name : flow.materials().names())
         {
             fractions_.append
@@ -330,7 +344,8 @@ Foam::planarFlow::planarFlow
 :
     origin_(fine.origin_),
     mesh_(fine.mesh_),
-    frame_(fine.frame_)
+    frame_(fine.frame_),
+    jump_(fine.jump_)
 {
     labelList sideToSide;
     geometry_ =

@@ -168,7 +168,8 @@ Foam::autoPtr<Foam::fvMesh> Foam::planarMesh::toMesh
     }
 
     // The name of the region is that of the main mesh, so that it finds the
-    // same dictionaries; it is not registered
+    // same dictionaries (which READ_IF_PRESENT stands for); it is not
+    // registered
     autoPtr<fvMesh> mesh
     (
         new fvMesh
@@ -178,7 +179,7 @@ Foam::autoPtr<Foam::fvMesh> Foam::planarMesh::toMesh
                 fvMesh::defaultRegion,
                 patchesOf.time().timeName(),
                 patchesOf.time(),
-                IOobject::NO_READ,
+                IOobject::READ_IF_PRESENT,
                 IOobject::NO_WRITE,
                 false
             ),
