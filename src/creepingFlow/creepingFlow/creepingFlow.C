@@ -50,11 +50,17 @@ namespace Foam
     }
 
     //- Of a field that is read to be copied
-    static IOobject inputIO(const word& name, const fvMesh& mesh)
+    static IOobject inputIO
+    (
+        const word& name,
+        const fvMesh& mesh,
+        const IOobject::readOption read = IOobject::MUST_READ
+    )
     {
-        IOobject io(fieldIO(name, mesh, IOobject::MUST_READ));
-        io.registerObject() = false;
-        return io;
+        return IOobject
+        (
+            name, mesh.time().timeName(), mesh, read, IOobject::NO_WRITE, false
+        );
     }
 }
 
@@ -115,10 +121,9 @@ Foam::volScalarField Foam::creepingFlow::readOmega
         return volScalarField(io, mesh);
     }
 
-    io.readOpt() = IOobject::NO_READ;
     return volScalarField
     (
-        io,
+        inputIO("omega", mesh, IOobject::NO_READ),
         mesh,
         dimensionedScalar(dimless/dimTime, Zero),
         "calculated"

@@ -24,6 +24,61 @@ License
 #include "centreFit.H"
 #include "SVD.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- Solve A^T A c = (1 0 0 ...) by Cholesky; false if A has not full rank
+    static bool normalSolution(const scalarRectangularMatrix& A, scalarField& c)
+    {
+        const label n = A.n();
+        scalarSquareMatrix L(n, Zero);
+
+        for (label i = 0; i < n; ++i)
+        {
+            for (label j = 0; j <= i; ++j)
+            {
+                scalar sum = 0;
+                for (label k = 0; k < A.m(); ++k)
+                {
+                    sum += A(k, i)*A(k, j);
+                }
+                const scalar whole = sum;
+                for (label k = 0; k < j; ++k)
+                {
+                    sum -= L(i, k)*L(j, k);
+                }
+                if (i == j && !(sum > 1e-9*whole))
+                {
+                    return false;
+                }
+                L(i, j) = i == j ? Foam::sqrt(sum) : sum/L(j, j);
+            }
+        }
+
+        c = 0;
+        c[0] = 1;
+        for (label i = 0; i < n; ++i)
+        {
+            for (label k = 0; k < i; ++k)
+            {
+                c[i] -= L(i, k)*c[k];
+            }
+            c[i] /= L(i, i);
+        }
+        for (label i = n - 1; i >= 0; --i)
+        {
+            for (label k = i + 1; k < n; ++k)
+            {
+                c[i] -= L(k, i)*c[k];
+            }
+            c[i] /= L(i, i);
+        }
+        return true;
+    }
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalarList Foam::centreFit::weights
@@ -60,22 +115,40 @@ Foam::scalarList Foam::centreFit::weights
     {
         w[i] = 1/(0.1 + sqr(x[i]) + sqr(y[i]));
         label k = 0;
+        scalar xp = w[i];
         for (label p = 0; p <= degree; ++p)
         {
+            scalar term = xp;
             for (label q = 0; q <= degree - p; ++q)
             {
-                A(i, k++) = w[i]*Foam::pow(x[i], p)*Foam::pow(y[i], q);
+                A(i, k++) = term;
+                term *= y[i];
             }
+            xp *= x[i];
         }
     }
 
-    // The constant term of the polynomial, by the pseudo-inverse: in a row of
-    // cells it leaves out what they do not tell
-    const scalarRectangularMatrix inverse(SVD(A, 1e-8).VSinvUt());
-    scalarList result(n);
-    forAll(result, i)
+    // The constant term of the polynomial
+    scalarList result(n, Zero);
+    scalarField c(nTerms);
+    if (normalSolution(A, c))
     {
-        result[i] = inverse(0, i)*w[i];
+        forAll(result, i)
+        {
+            for (label k = 0; k < nTerms; ++k)
+            {
+                result[i] += w[i]*A(i, k)*c[k];
+            }
+        }
+    }
+    else
+    {
+        // In a row of cells: without what they do not tell
+        const scalarRectangularMatrix inverse(SVD(A, 1e-8).VSinvUt());
+        forAll(result, i)
+        {
+            result[i] = inverse(0, i)*w[i];
+        }
     }
     return result;
 }

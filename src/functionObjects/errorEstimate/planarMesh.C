@@ -284,8 +284,14 @@ Foam::planarMesh::planarMesh(const fvMesh& mesh, const planarFrame& frame)
     labelList merged(identity(points_.size()));
     if (n > 1)
     {
-        pointField unique;
-        mergePoints(points_, 1e-3*shortest, false, merged, unique);
+        pointField unique
+        (
+            mergePoints(points_, 1e-3*shortest, false, merged)
+        );
+        forAll(points_, i)
+        {
+            unique[merged[i]] = points_[i];
+        }
         points_.transfer(unique);
         for (labelList& loop : loops_)
         {
