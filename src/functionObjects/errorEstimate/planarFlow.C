@@ -410,10 +410,19 @@ Foam::planarFlow::planarFlow
 void Foam::planarFlow::solve()
 {
     labelListList patchFaceSides;
-    const autoPtr<fvMesh> mesh
+    autoPtr<fvMesh> mesh
     (
         geometry_.toMesh(mesh_, frame_, patchFaceSides)
     );
+
+    // GAMG counts on cells of every processor, and refuses a mesh that would
+    // leave too few to each
+    if (Pstream::nProcs() > 1)
+    {
+        dictionary& controls = static_cast<fvSolution&>(mesh());
+        controls.subDictOrAdd("creepingFlow").subDictOrAdd("preconditioner")
+       .add("nCellsInCoarsestLevel", max(1, 10/Pstream::nProcs()));
+    }
 
     // Loads are taken from the mesh
     autoPtr<volVectorField> force;
