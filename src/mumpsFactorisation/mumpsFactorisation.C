@@ -100,7 +100,9 @@ Foam::mumpsFactorisation::mumpsFactorisation(const label nLocal)
 {
     startMPI();
 
-    mumps_.comm_fortran = MPI_Comm_c2f(MPI_COMM_WORLD);
+    // Of a coarse problem that the master solves alone it is the master's
+    mumps_.comm_fortran =
+        MPI_Comm_c2f(Pstream::parRun() ? MPI_COMM_WORLD : MPI_COMM_SELF);
     mumps_.par = 1;
     mumps_.sym = 0;
     call(-1);

@@ -19,7 +19,7 @@ NAMES = ["convergence", "significance", "internalLength", "longShear",
          "extremes", "solveCost", "sceneCost", "pointIntegration",
          "rigidShear", "pointDistribution", "pointCoupling", "rayleighTaylor",
          "siloVolume", "pointCost", "freeSurface", "parallel", "speedAccuracy",
-         "soak", "mutations", "kills"]
+         "soak", "mutations", "kills", "errorEstimate"]
 
 HERE = Path(__file__).resolve().parents[1]
 RESULTS = HERE/"results"
@@ -110,8 +110,9 @@ def constant_material(case, material, rho=0):
 
 
 def run_layer(study, name, material, n, walls=None, G=None, tolerance=1e-10,
-              grading=None):
-    """Run a shear layer (walls) or a gravity channel (G) for one solve.
+              grading=None, prepare=None):
+    """Run a shear layer (walls) or a gravity channel (G) for one solve;
+    prepare: function of the case, called before.
 
     Returns the case, its analytic solution and a row of errors and costs."""
     case = new_case(study, name, "gravityChannel" if walls is None
@@ -142,6 +143,8 @@ def run_layer(study, name, material, n, walls=None, G=None, tolerance=1e-10,
             **{key: repr(value) for key, value in walls.items()}})
         exact = ShearLayer(material, 1, **walls)
     case.substitute("system/controlDict", {"writePrecision": 16})
+    if prepare:
+        prepare(case)
     case.run("blockMesh")
     case.run("cosseratPicFoam")
 

@@ -207,7 +207,11 @@ bool Foam::materialFields::fractionsMoved() const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::materialFields::materialFields(const fvMesh& mesh)
+Foam::materialFields::materialFields
+(
+    const fvMesh& mesh,
+    const bool readFractions
+)
 :
     mesh_(mesh),
     dict_
@@ -235,7 +239,7 @@ Foam::materialFields::materialFields(const fvMesh& mesh)
     etaC_(newField("etaC", materials_[0].law().etaC())),
     M_(newField("M", materials_[0].law().M())),
     invB_(newField("invB", materials_[0].law().invB())),
-    fractionsRead_(true),
+    fractionsRead_(readFractions),
     nChanges_(1)
 {
     checkedEntry::reportUnread
@@ -250,12 +254,12 @@ Foam::materialFields::materialFields(const fvMesh& mesh)
             IOobject::groupName("alpha", materials_[m].name()),
             mesh.time().timeName(),
             mesh,
-            IOobject::READ_IF_PRESENT,
+            readFractions ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
             IOobject::AUTO_WRITE
         );
 
         fractionsRead_ =
-            io.typeHeaderOk<volScalarField>(true) && fractionsRead_;
+            fractionsRead_ && io.typeHeaderOk<volScalarField>(true);
 
         alphas_.set
         (

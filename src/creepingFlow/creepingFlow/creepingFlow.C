@@ -50,8 +50,22 @@ namespace Foam
         );
     }
 
-    // A field of the start time. The log says which: not all errors of
-    // OpenFOAM do
+    //- Of a field that is read to be copied
+    static IOobject inputIO
+    (
+        const word& name,
+        const fvMesh& mesh,
+        const IOobject::readOption read = IOobject::MUST_READ
+    )
+    {
+        return IOobject
+        (
+            name, mesh.time().timeName(), mesh, read, IOobject::NO_WRITE, false
+        );
+    }
+
+    //- A field of the start time. The log says which: not all errors of
+    //- OpenFOAM do
     template<class Type>
     static GeometricField<Type, fvPatchField, volMesh> readField
     (
@@ -59,7 +73,7 @@ namespace Foam
         const fvMesh& mesh
     )
     {
-        const IOobject io(fieldIO(name, mesh, IOobject::MUST_READ));
+        const IOobject io(inputIO(name, mesh));
         Info<< "Reading " << (io.instance()/name).c_str() << endl;
         const checkedText text(io.objectPath());
 
@@ -105,25 +119,29 @@ bool Foam::creepingFlow::readGoOn() const
 }
 
 
-Foam::volScalarField Foam::creepingFlow::readOmega() const
+Foam::volScalarField Foam::creepingFlow::readOmega
+(
+    const materialFields& materials
+)
 {
     // Where nothing solves for it a file is read all the same, so that what
     // its patches ask for in vain can be told
-    IOobject io(fieldIO("omega", mesh_, IOobject::MUST_READ));
+    const fvMesh& mesh = materials.mesh();
+    IOobject io(inputIO("omega", mesh));
 
     if
     (
-        materials_.parts().has(sceneParts::MICROROTATION)
+        materials.parts().has(sceneParts::MICROROTATION)
      || io.typeHeaderOk<volScalarField>(true)
     )
     {
-        return readField<scalar>("omega", mesh_);
+        return readField<scalar>("omega", mesh);
     }
 
     return volScalarField
     (
-        fieldIO("omega", mesh_, IOobject::NO_READ),
-        mesh_,
+        inputIO("omega", mesh, IOobject::NO_READ),
+        mesh,
         dimensionedScalar(dimless/dimTime, Zero),
         "calculated"
     );
@@ -341,6 +359,24 @@ void Foam::creepingFlow::report()
 
 Foam::creepingFlow::creepingFlow(const materialFields& materials)
 :
+    creepingFlow
+    (
+        materials,
+        readField<vector>("U", materials.mesh()),
+        readField<scalar>("p_rgh", materials.mesh()),
+        readOmega(materials)
+    )
+{}
+
+
+Foam::creepingFlow::creepingFlow
+(
+    const materialFields& materials,
+    const volVectorField& U,
+    const volScalarField& pRgh,
+    const volScalarField& omega
+)
+:
     regIOobject
     (
         IOobject
@@ -356,8 +392,8 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
     materials_(materials),
     controls_(mesh_.solutionDict().subOrEmptyDict(typeName)),
     goOn_(readGoOn()),
-    U_(readField<vector>("U", mesh_)),
-    pRgh_(readField<scalar>("p_rgh", mesh_)),
+    U_(fieldIO("U", mesh_, IOobject::NO_READ), U),
+    pRgh_(fieldIO("p_rgh", mesh_, IOobject::NO_READ), pRgh),
     p_
     (
         fieldIO("p", mesh_, IOobject::NO_READ),
@@ -365,7 +401,7 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
         dimensionedScalar(dimPressure, Zero),
         "calculated"
     ),
-    omega_(readOmega()),
+    omega_(fieldIO("omega", mesh_, IOobject::NO_READ), omega),
     phi_
     (
         fieldIO("phi", mesh_, IOobject::NO_READ),

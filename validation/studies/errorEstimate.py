@@ -1,0 +1,233 @@
+"""Effectivity of the function object errorEstimate: estimated error over true
+error, where the true one is known or a reference is."""
+
+import shutil
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from cosserat.analytic import (AnnularCouette, Manufactured, Material, SolCx,
+                               err)
+from cosserat.box import Box
+from cosserat.tradeoff import extrapolate, restrict
+from studies.common import HERE, PAPER, WALLS, new_case, run_layer, save
+from studies.manufactured import MATERIALS, MESHES
+from studies.siloDischarge import mesh_entries
+
+CELLS = [12, 24, 48, 96]
+
+THIN = Material(1.0, 1.0, 0.05)
+
+FUNCTION = """
+functions
+{
+    error
+    {
+        type            errorEstimate;
+        libs            (cosseratFunctionObjects);
+        writeControl    writeTime;
+    }
+}
+"""
+
+#: Scene: label of the figure
+SCENES = {
+    "layer0.3": "layer, R/h 0.3", "layer0.05": "layer, R/h 0.05",
+    "channel": "channel", "annularCouette": "annular Couette",
+    "uniform": "manufactured, uniform", "wavy": "manufactured, wavy",
+    "sector": "manufactured, sector", "jump": "jump along faces, 1000:1",
+    "inclusion": "inclusion",
+    "silo": "silo"}
+
+
+def switch_on(case):
+    """Add the function object to a case; its controlDict merges dictionaries
+    of the same name."""
+    with (case.path/"system/controlDict").open("a") as text:
+        text.write(FUNCTION)
+
+
+def row(scene, n, case, errors):
+    """Row of a run: errors of U and of omega beside the estimates."""
+    table = case.table("error", "errorEstimate.dat")[-1]
+    return {
+        "scene": scene, "n": n, "cells": case.n_cells(),
+        "errorU": errors[0], "errorOmega": errors[1],
+        "estimateU": float(table[1]), "estimateOmega": float(table[2]),
+        "effectivityU": float(table[1]/errors[0]),
+        "effectivityOmega": float(table[2]/errors[1]) if errors[1] else None,
+        "takenOrderU": float(table[3]), "takenOrderOmega": float(table[4]),
+        "measuredOrderU": float(table[5]),
+        "measuredOrderOmega": float(table[6]),
+        "differenceU": float(table[7]), "differenceOmega": float(table[8]),
+        "worstU": table[10:12].tolist()}
+
+
+def distance(exact, numeric):
+    """Equation 30 of vectors."""
+    return float(np.linalg.norm(exact - numeric, axis=-1).sum()
+                 / np.linalg.norm(numeric, axis=-1).sum())
+
+
+def layer(scene, n):
+    """A layer or channel."""
+    material = THIN if scene == "layer0.05" else PAPER
+    walls = None if scene == "channel" else WALLS["OmegaV"]
+    case, _, errors = run_layer("errorEstimate", scene, material, n, walls, G=1,
+                                prepare=switch_on)
+    return row(scene, n, case, (errors["errU"], errors["errOmega"]))
+
+
+def annulus(n):
+    """The tutorial annularCouette at rest, n cells across."""
+    case = new_case("errorEstimate", "annularCouette", "annularCouette")
+    case.substitute("system/blockMeshDict", {"nAcross": n, "nQuarter": 3*n//2})
+    case.substitute("system/fvSolution", {"tolerance": 1e-8})
+    case.substitute("system/controlDict", {
+        "endTime": 1e-6, "deltaT": 1e-6, "writeInterval": 1e-6})
+    switch_on(case)
+    case.run("blockMesh")
+    case.run("cosseratPicFoam")
+    x, y = case.centres()[:, :2].T
+    r = np.hypot(x, y)
+    exact = AnnularCouette(Material(1000, 1000, 0.2), (1, 2), (1, 0), (1, 0))
+    u = (exact.u(r)/r*np.array([-y, x])).T
+    return row("annularCouette", n, case, (
+        distance(u, case.field("U")[:, :2]),
+        float(err(exact.omega(r), case.field("omega")))))
+
+
+def manufactured(mesh, n):
+    """A manufactured solution."""
+    (X, Y), parameters = MESHES[mesh]
+    exact = Manufactured(X, Y, *MATERIALS.values())
+    path = HERE/"runs/errorEstimate"/f"{mesh}{n}"
+    shutil.rmtree(path, ignore_errors=True)
+    case = Box(path, n=n, fractions=exact.alpha, force=exact.force,
+               couple=exact.couple, tolerance=1e-8,
+               materials={name: {"eta": m.eta, "etaC": m.etaC, "R": m.R}
+                          for name, m in MATERIALS.items()},
+               walls={side: ("type noSlip;",
+                             "type fixedValue; value uniform 0.5;")
+                      for side in ("left", "right", "bottom", "top")},
+               **parameters).write()
+    switch_on(case)
+    case.run("cosseratPicFoam")
+    x, y = case.centres()[:, :2].T
+    return row(mesh, n, case, (
+        distance(exact.u(x, y).T, case.field("U")[:, :2]),
+        float(err(exact.omega(x, y), case.field("omega")))))
+
+
+def jump(n, contrast=1e3):
+    """SolCx: a classical fluid whose viscosity jumps along faces."""
+    exact = SolCx((1.0, contrast))
+    path = HERE/"runs/errorEstimate"/f"jump{n}"
+    shutil.rmtree(path, ignore_errors=True)
+    case = Box(path, n=n, tolerance=1e-9, force=exact.force,
+               materials={"a": {"eta": 1, "etaC": 0, "R": 0},
+                          "b": {"eta": contrast, "etaC": 0, "R": 0}},
+               fractions=lambda x, y: x < 0).write()
+    switch_on(case)
+    case.run("cosseratPicFoam")
+    x, y = case.centres()[:, :2].T
+    return row("jump", n, case, (
+        distance(exact.u(x, y).T, case.field("U")[:, :2]), None))
+
+
+def at_rest(scene, n):
+    """The first solve of the inclusion or the silo: case, and centres,
+    volumes, velocity and microrotation."""
+    tutorial = "sinkingInclusion" if scene == "inclusion" else scene
+    case = new_case("errorEstimate", f"{scene}{n}", tutorial)
+    case.substitute("system/blockMeshDict", {"n": n} if scene == "inclusion"
+                    else {key: max(cells, 1) for key, cells
+                          in mesh_entries(n).items()})
+    case.substitute("system/controlDict", {
+        "endTime": 1e-7, "deltaT": 1e-7, "writeInterval": 1e-7})
+    switch_on(case)
+    case.run("blockMesh")
+    case.run("cosseratPicFoam")
+    fields = np.column_stack([case.field("U")[:, :2], case.field("omega")])
+    return case, (case.centres(), case.volumes(), fields)
+
+
+def without_exact(scene, cells, finest):
+    """Rows of a scene whose reference is extrapolated from the three finest
+    meshes; the microrotation where there is a granular material."""
+    runs = {n: at_rest(scene, n) for n in sorted({*cells, *finest})}
+    rows = []
+    for n in cells:
+        case, (centres, _, fields) = runs[n]
+        own = [m for m in finest if m >= n]
+        means = [restrict(*runs[m][1], centres) for m in own]
+        limit = (extrapolate(*means)[0] if len(means) == 3
+                 else 2*means[-1] - means[-2])
+        inside = np.isfinite(limit).all(axis=1)
+        if scene == "silo":
+            inside &= case.field("alpha.granular") > 0.999
+        all_cells = np.isfinite(limit).all(axis=1)
+        rows.append(row(scene, n, case, (
+            distance(limit[all_cells, :2], fields[all_cells, :2]),
+            float(err(limit[inside, 2], fields[inside, 2])))))
+    return rows
+
+
+def add_order(rows):
+    """Orders of the errors and of the estimates from the row before, on half
+    the cells a side."""
+    for coarse, fine in zip([None] + rows[:-1], rows):
+        for key in ("errorU", "errorOmega", "estimateU", "estimateOmega"):
+            fine[f"order{key[0].upper()}{key[1:]}"] = (
+                float(np.log2(coarse[key]/fine[key]))
+                if coarse and coarse[key] else None)
+    return rows
+
+
+def draw(rows):
+    """Estimated against true error, and effectivity against cells."""
+    figure, axes = plt.subplots(1, 2, figsize=(11, 4.6), dpi=130)
+    for axis, key, label in zip(axes, ("U", "Omega"), ("U", r"$\omega$")):
+        every = [r[f"error{key}"] for r in rows if r[f"error{key}"]]
+        span = np.array([min(every)/2, max(every)*2])
+        axis.fill_between(span, span/2, 2*span, color="0.92",
+                          label="effectivity 0.5 to 2")
+        axis.loglog(span, span, ":", color="grey")
+        for i, (scene, name) in enumerate(SCENES.items()):
+            own = [r for r in rows
+                   if r["scene"] == scene and r[f"error{key}"]]
+            axis.loglog([r[f"error{key}"] for r in own],
+                        [r[f"estimate{key}"] for r in own],
+                        "o-" if i < 7 else "s--", ms=4, lw=0.9, label=name)
+        axis.set_xlabel(f"true error of {label}, equation 30")
+        axis.set_ylabel(f"estimated error of {label}")
+        axis.grid(alpha=0.3)
+    axes[0].legend(fontsize=7)
+    save(figure, "errorEstimate")
+    plt.close(figure)
+
+
+def study():
+    """Rows: scene, n (cells across or a side; a unit of the silo), cells,
+    errorU, errorOmega, estimateU, estimateOmega (equation 30),
+    effectivityU, effectivityOmega, takenOrderU, takenOrderOmega,
+    measuredOrderU, measuredOrderOmega (by the estimate), differenceU, differenceOmega (to half the cells),
+    orderErrorU, orderErrorOmega, orderEstimateU, orderEstimateOmega (from the
+    row before), worstU (place)."""
+    rows = []
+    for scene in ("layer0.3", "layer0.05", "channel"):
+        rows += add_order([layer(scene, n) for n in CELLS])
+    rows += add_order([annulus(n) for n in (8, 16, 32, 64)])
+    for mesh in ("uniform", "wavy", "sector"):
+        rows += add_order([manufactured(mesh, n) for n in CELLS])
+    rows += add_order([jump(n) for n in (16, 32, 64)])
+    rows += add_order(without_exact("inclusion", (16, 32, 64), (32, 64, 128)))
+    rows += add_order(without_exact("silo", (2, 4, 8), (4, 8, 16)))
+    draw(rows)
+    for r in rows:
+        print(r["scene"], r["n"], *(
+            f"{r[key]:.3g}" if r[key] else "-" for key in (
+                "errorU", "errorOmega", "effectivityU", "effectivityOmega",
+                "measuredOrderU", "measuredOrderOmega", "orderErrorU",
+                "orderEstimateU", "orderErrorOmega", "orderEstimateOmega")))
+    return rows
