@@ -215,7 +215,7 @@ void Foam::functionObjects::errorEstimate::estimateAll
     }
 
     const pointField& places = fine.geometry().centres();
-    const bool jumps = fine.jump() > 2;
+    const bool jumps = fine.jumps();
     U = fromDifferences
     (
         mag(fine.velocity()), firstU, secondU, jumps, places
