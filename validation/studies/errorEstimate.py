@@ -213,9 +213,10 @@ def study():
     """Rows: scene, n (cells across or a side; a unit of the silo), cells,
     errorU, errorOmega, estimateU, estimateOmega (equation 30),
     effectivityU, effectivityOmega, takenOrderU, takenOrderOmega,
-    measuredOrderU, measuredOrderOmega (by the estimate), differenceU, differenceOmega (to half the cells),
-    orderErrorU, orderErrorOmega, orderEstimateU, orderEstimateOmega (from the
-    row before), worstU (place)."""
+    measuredOrderU, measuredOrderOmega (by the estimate), differenceU,
+    differenceOmega (to half the cells), orderErrorU, orderErrorOmega,
+    orderEstimateU, orderEstimateOmega (from the row before), worstU (place);
+    None where a scene has no microrotation."""
     rows = []
     for scene in ("layer0.3", "layer0.05", "channel"):
         rows += add_order([layer(scene, n) for n in CELLS])
