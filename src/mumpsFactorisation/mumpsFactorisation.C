@@ -162,14 +162,28 @@ void Foam::mumpsFactorisation::factorise(const sparseEntries& entries)
 
 void Foam::mumpsFactorisation::solve(scalarField& b)
 {
-    rows_.gather(b, all_);
+    if (Pstream::parRun())
+    {
+        rows_.gather(b, all_);
+    }
+    else
+    {
+        all_ = b;
+    }
 
     mumps_.rhs = all_.begin();
     mumps_.nrhs = 1;
 
     call(3);
 
-    rows_.scatter(all_, b);
+    if (Pstream::parRun())
+    {
+        rows_.scatter(all_, b);
+    }
+    else
+    {
+        b = all_;
+    }
 }
 
 

@@ -215,7 +215,7 @@ void Foam::functionObjects::errorEstimate::estimateAll
     }
 
     const pointField& places = fine.geometry().centres();
-    const bool jumps = fine.jump() > 2;
+    const bool jumps = fine.jumps();
     U = fromDifferences
     (
         mag(fine.velocity()), firstU, secondU, jumps, places
@@ -417,11 +417,13 @@ bool Foam::functionObjects::errorEstimate::write()
         file() << endl;
     }
 
-    Log << type() << ' ' << name() << ": error of U " << 100*U.relative
-        << " % (order " << U.order << ", measured " << U.measured
-        << "), of omega " << 100*omega.relative << " % (order "
-        << omega.order << ", measured " << omega.measured
-        << "); worst of U at " << U.place << endl;
+    OStringStream line;
+    line.precision(3);
+    line<< "error of U " << 100*U.relative << " % (order " << U.order
+        << ", measured " << U.measured << "), of omega "
+        << 100*omega.relative << " % (order " << omega.order
+        << ", measured " << omega.measured << "); worst of U at " << U.place;
+    Log << type() << ' ' << name() << ": " << line.str().c_str() << endl;
 
     return true;
 }

@@ -211,7 +211,7 @@ Foam::planarFlow::planarFlow
     mesh_(flow.materials().mesh()),
     frame_(frame),
     geometry_(mesh_, frame),
-    jump_(1),
+    jumps_(false),
     U_(gathered<vector>(U().primitiveField())),
     omega_(gathered<scalar>(omega().primitiveField())),
     pRgh_(gathered<scalar>(pRgh().primitiveField()))
@@ -234,12 +234,29 @@ Foam::planarFlow::planarFlow
         (
             etaC + gathered<scalar>(flow.materials().eta().primitiveField())
         );
+        const scalarField rho
+        (
+            gathered<scalar>(flow.materials().rho().primitiveField())
+        );
+        scalar lowest = GREAT, highest = -GREAT;
+        for (const scalar value : rho)
+        {
+            lowest = min(lowest, value);
+            highest = max(highest, value);
+        }
+        const bool heavy =
+            flow.materials().parts().has(sceneParts::GRAVITY)
+         && highest > lowest;
+
         for (const planarMesh::side& s : geometry_.sides())
         {
-            if (s.neighbour >= 0)
+            const label P = s.owner, N = s.neighbour;
+            if (N >= 0)
             {
-                jump_ = max(jump_, a[s.owner]/a[s.neighbour]);
-                jump_ = max(jump_, a[s.neighbour]/a[s.owner]);
+                jumps_ =
+                    jumps_
+                 || max(a[P], a[N]) > 2*min(a[P], a[N])
+                 || (heavy && mag(rho[P] - rho[N]) > 0.5*(highest - lowest));
             }
         }
 
@@ -345,7 +362,7 @@ Foam::planarFlow::planarFlow
     origin_(fine.origin_),
     mesh_(fine.mesh_),
     frame_(fine.frame_),
-    jump_(fine.jump_)
+    jumps_(fine.jumps_)
 {
     labelList sideToSide;
     geometry_ =

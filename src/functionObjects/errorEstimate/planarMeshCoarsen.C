@@ -229,7 +229,11 @@ Foam::planarMesh Foam::planarMesh::coarsened
     forAll(sides_, sidei)
     {
         const side& s = sides_[sidei];
-        if (s.neighbour >= 0 && cellToBlock[s.owner] == cellToBlock[s.neighbour])
+        if
+        (
+            s.neighbour >= 0
+         && cellToBlock[s.owner] == cellToBlock[s.neighbour]
+        )
         {
             kept[sidei] = false;
         }
