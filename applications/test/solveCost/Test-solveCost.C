@@ -40,6 +40,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "checkedEntry.H"
 #include "creepingFlow.H"
 #include "materialPointCloud.H"
 #include "clockTime.H"

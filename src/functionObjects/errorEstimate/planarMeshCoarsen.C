@@ -22,9 +22,11 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "planarMesh.H"
+#include "bitSet.H"
 #include "DynamicList.H"
 
 #include <deque>
+#include <vector>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -54,7 +56,7 @@ void Foam::planarMesh::across
 Foam::boolList Foam::planarMesh::keptSides() const
 {
     enum : char { UNKNOWN, KEPT, GONE };
-    List<char> fate(sides_.size(), UNKNOWN);
+    std::vector<char> fate(sides_.size(), UNKNOWN);
 
     // Points where more than four sides meet: nothing continues there
     labelList nSidesAt(points_.size(), 0);
@@ -250,8 +252,8 @@ Foam::planarMesh Foam::planarMesh::coarsened
             ++nKept[sides_[sidei].b];
         }
     }
-    boolList stays(points_.size());
-    forAll(stays, pointi)
+    bitSet stays(points_.size());
+    forAll(nKept, pointi)
     {
         stays[pointi] = nKept[pointi] > 2;
     }
