@@ -20,7 +20,8 @@ cases.environment()
 @pytest.fixture(name="findings", scope="session")
 def findings_fixture(tmp_path_factory):
     """Function that returns what sanitizers have found since its last call:
-    that of memory in files of its own, that of undefined behaviour in logs."""
+    that of memory in files of its own, that of undefined behaviour and of
+    OpenFOAM's check of indices in logs."""
     if not os.environ.get("COSSERATPIC_SANITIZE"):
         return lambda: ""
     folder = tmp_path_factory.mktemp("findings")
@@ -33,7 +34,8 @@ def findings_fixture(tmp_path_factory):
         for file in [*folder.iterdir(), *logs]:
             text = file.read_text(errors="replace")
             if file not in seen and (file.parent == folder
-                                     or ": runtime error: " in text):
+                                     or ": runtime error: " in text
+                                     or "::checkIndex(" in text):
                 seen.add(file)
                 texts.append(text[-20000:])
         return "\n".join(texts)
