@@ -1,5 +1,6 @@
 """What all tests share: the environment, and cases in temporary folders."""
 
+import os
 import sys
 from pathlib import Path
 
@@ -14,6 +15,41 @@ from cosserat import case as cases
 from cosserat.box import Box
 
 cases.environment()
+
+
+@pytest.fixture(name="findings", scope="session")
+def findings_fixture(tmp_path_factory):
+    """Function that returns what sanitizers have found since its last call:
+    that of memory in files of its own, that of undefined behaviour and of
+    OpenFOAM's check of indices in logs."""
+    if not os.environ.get("COSSERATPIC_SANITIZE"):
+        return lambda: ""
+    folder = tmp_path_factory.mktemp("findings")
+    os.environ["ASAN_OPTIONS"] += f":log_path={folder}/memory"
+    seen = set()
+
+    def new():
+        texts = []
+        logs = tmp_path_factory.getbasetemp().glob("*/**/log.*")
+        for file in [*folder.iterdir(), *logs]:
+            text = file.read_text(errors="replace")
+            if file not in seen and (file.parent == folder
+                                     or ": runtime error: " in text
+                                     or "::checkIndex(" in text):
+                seen.add(file)
+                texts.append(text[-20000:])
+        return "\n".join(texts)
+
+    return new
+
+
+@pytest.fixture(autouse=True)
+def no_findings(findings):
+    """A finding fails the test, also one whose program is to fail."""
+    yield
+    text = findings()
+    if text:
+        pytest.fail(text, pytrace=False)
 
 
 @pytest.fixture(name="tutorial")
