@@ -367,15 +367,18 @@ def test_later_regions_prevail(box):
     assert ((case.cloud("material") == 1) == ((x > 0) & (x < 0.25))).all()
 
 
-def test_system_calls_are_openfoams_to_allow(silo):
-    """With OpenFOAM's switch off nothing in a case runs a command."""
-    log = changed_log(
+@pytest.mark.parametrize("allowed", [0, 1])
+def test_system_calls_are_openfoams_to_allow(silo, allowed):
+    """A command in a case is run if OpenFOAM's switch says so."""
+    changed_log(
         silo, CONTROL, "functions\n{",
-        "InfoSwitches { allowSystemOperations 0; }\nfunctions\n{ call { type"
-        " systemCall; libs (utilityFunctionObjects); executeCalls"
-        ' ("touch called"); }')
-    assert "systemCall" in log
-    assert not (silo.path/"called").exists()
+        f"InfoSwitches {{ allowSystemOperations {allowed}; }}\nfunctions\n{{"
+        " call { type systemCall; libs (utilityFunctionObjects);"
+        ' executeCalls ("touch called"); }')
+    called = silo.path/"called"
+    assert called.exists() == allowed
+    if allowed:
+        called.unlink()
 
 
 def test_mesh_of_three_dimensions(box):

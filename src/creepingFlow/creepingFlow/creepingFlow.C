@@ -24,6 +24,7 @@ License
 #include "creepingFlow.H"
 #include "checkedEntry.H"
 #include "checkedText.H"
+#include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -296,6 +297,20 @@ void Foam::creepingFlow::report()
     }
 
     ++nUnconverged_;
+
+    for (const scalar residual : performance_.final)
+    {
+        if (!std::isfinite(residual))
+        {
+            FatalErrorInFunction
+                << "The flow at time " << mesh_.time().timeName()
+                << " is not finite: residuals of U, p_rgh, omega "
+                << performance_.final << nl
+                << "    Constants of materials, loads, velocities or lengths"
+                << " are so large that their products are no numbers"
+                << exit(FatalError);
+        }
+    }
 
     if (goOn_)
     {
