@@ -403,6 +403,18 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
     // Lest decomposing a written time leaves out the signs of turned faces
     phi_.setOriented();
 
+    const dictionary& solution = mesh_.solutionDict();
+    checkedEntry::reportUnread
+    (
+        solution, {typeName, "solvers", "relaxationFactors", "cache"}
+    );
+    if (!solution.found(typeName))
+    {
+        Info<< "No dictionary " << typeName << " in "
+            << solution.name().name() << ": all entries have their"
+            << " defaults" << nl;
+    }
+
     checkedEntry::only
     (
         controls_,
