@@ -67,6 +67,7 @@ SourceFiles
 #include "materialPointCloud.H"
 #include "progress.H"
 #include "sigFpe.H"
+#include <cstdlib>
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
