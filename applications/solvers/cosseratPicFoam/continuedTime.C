@@ -217,10 +217,7 @@ Foam::dimensionedScalar Foam::continuedTime::startTime() const
 
 bool Foam::continuedTime::writeObject
 (
-    IOstream::streamFormat fmt,
-    IOstream::versionNumber ver,
-    IOstream::compressionType cmp,
-    const bool valid
+    writeObjectParameters
 ) const
 {
     if (!writeTime())
@@ -232,17 +229,14 @@ bool Foam::continuedTime::writeObject
     label& purgeWrite = const_cast<label&>(purgeWrite_);
     const label nKept = purgeWrite;
     purgeWrite = 0;
-    checkWritten(Time::writeObject(fmt, ver, cmp, valid));
+    checkWritten(Time::writeObject(writeObjectPassed));
     purgeWrite = nKept;
 
     IOdictionary dict(uniformIO(written, IOobject::NO_READ));
     dict.add("startTime", timeName(startTime_, maxPrecision_));
     checkWritten
     (
-        dict.regIOobject::writeObject
-        (
-            IOstream::ASCII, ver, IOstream::UNCOMPRESSED, true
-        )
+        dict.regIOobject::writeObject(writeObjectPlain)
     );
     purge();
 
