@@ -342,6 +342,20 @@ def test_misspelt_entry_of_control_is_told(silo):
     assert "nothing reads" in line and "controlDict" in line
 
 
+def test_what_is_appended_is_told(silo):
+    """An entry at the top that overrides an earlier one, and a dictionary that
+    is not there, so that nothing but defaults is left."""
+    log = changed_log(silo, MATERIALS, "viscosityAverage    arithmetic;",
+                      "viscosityAverage arithmetic;\n\n"
+                      "viscosityAverage harmonic;")
+    assert ("Entry 'viscosityAverage' of materialProperties is given twice: the"
+            " last one counts" in log)
+    assert "viscosityAverage harmonic" in log
+    log = changed_log(silo, SOLUTION, "creepingFlow\n", "crepingFlow\n")
+    assert "nothing reads but other entries, by $: 1(crepingFlow)" in log
+    assert "No dictionary creepingFlow in fvSolution" in log
+
+
 @pytest.mark.parametrize("box", ["min (9 9 -1); max (10 10 1);",
                                  "min (0 1 -1); max (0.001 1.001 1);"])
 def test_region_that_holds_no_point_is_told(silo, box):
@@ -365,17 +379,6 @@ def test_later_regions_prevail(box):
     case.run("cosseratPicFoam")
     x = case.cloud("positions")[:, 0]
     assert ((case.cloud("material") == 1) == ((x > 0) & (x < 0.25))).all()
-
-
-def test_system_calls_are_openfoams_to_allow(silo):
-    """With OpenFOAM's switch off nothing in a case runs a command."""
-    log = changed_log(
-        silo, CONTROL, "functions\n{",
-        "InfoSwitches { allowSystemOperations 0; }\nfunctions\n{ call { type"
-        " systemCall; libs (utilityFunctionObjects); executeCalls"
-        ' ("touch called"); }')
-    assert "systemCall" in log
-    assert not (silo.path/"called").exists()
 
 
 def test_mesh_of_three_dimensions(box):

@@ -166,10 +166,8 @@ def test_mixture_rules(box):
              "geometric": lambda a, x, y: x**a*y**(1 - a),
              "harmonic": lambda a, x, y: 1/(a/x + (1 - a)/y)}
     for rule, mean in means.items():
-        case = box(rule, n=4, materials=materials,
+        case = box(rule, n=4, materials=materials, average=rule,
                    fractions=lambda x, y: 0.5 + 0.8*x)
-        path = case.path/"constant/materialProperties"
-        path.write_text(path.read_text() + f"\nviscosityAverage {rule};\n")
         (case.path/"system/controlDict").write_text(
             (case.path/"system/controlDict").read_text().replace(
                 "functions\n{", "functions\n{ w { type writeObjects;"

@@ -123,7 +123,10 @@ def mutate(text, kind, chance):
 
     if kind == "cut":
         body = text.index("*/") + 2 if "*/" in text else 0
-        return text[:chance.randrange(body, len(text) - 100)], ""
+        left = text[:chance.randrange(body, len(text) - 100)]
+        # Between entries it is no mistake
+        last = re.sub(r"//[^\n]*", "", left).rstrip()[-1:]
+        return (left, "") if last not in ("}", ";", "/", "") else None
     if kind in ("bracket less", "semicolon less"):
         end = text.index("// * *")
         places = [i for i, c in enumerate(text) if i > end
@@ -246,7 +249,8 @@ def infinite(case):
 def told(log):
     """Lines that tell what nothing reads, and warnings."""
     return [line for line in log.splitlines()
-            if "nothing reads" in line or "arning" in line]
+            if re.search(
+                "nothing reads|No dictionary|given twice|[wW]arning", line)]
 
 
 def message(log):
@@ -257,6 +261,11 @@ def message(log):
 
 def unnamed(row, case, log):
     """What the end of the log does not name: file, entry, or '' if all."""
+    # A legal value may lead to what is refused elsewhere, which is named there
+    if row["mutation"].startswith("times") and re.search(
+            r"Allowed: |Cures", log):
+        return ""
+
     # OpenFOAM's own messages may leave it to the line before which file it is
     end = log[max(log.find("FOAM FATAL"), 0):]
     reading = re.findall(r"^Reading (\S+)", log, re.M)[-1:]

@@ -100,7 +100,7 @@ Foam::fileName Foam::continuedTime::cutShort(const fileName& dir) const
 {
     for (const fileName& name : readDir(dir, fileName::FILE, false))
     {
-        if (!wholeFile(dir/name) && !name.hasExt("gz"))
+        if (!wholeFile(dir/name) && name.ext() != "gz")
         {
             return dir/name;
         }

@@ -75,6 +75,7 @@ SourceFiles
 #include "materialPointCloud.H"
 #include "progress.H"
 #include "sigFpe.H"
+#include <cstdlib>
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 

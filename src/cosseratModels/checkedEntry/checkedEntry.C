@@ -79,7 +79,13 @@ namespace Foam
                 dict, key, number.good() ? os.str() : "empty", allowed
             );
         }
-        dict.checkITstream(is, key);
+        if (is.nRemainingTokens())
+        {
+            checkedEntry::refuse
+            (
+                dict, key, "more than a number: does a ';' lack?", allowed
+            );
+        }
 
         const scalar value = scale*number.number();
 

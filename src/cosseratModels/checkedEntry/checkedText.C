@@ -123,7 +123,14 @@ void Foam::checkedText::readEntries(const bool file, const label line)
         }
 
         key_ = token_;
-        if (key_[0] != '$' && !keys.insert(key_) && !branches_)
+        const bool again = key_[0] != '$' && !keys.insert(key_) && !branches_;
+        if (again && file)
+        {
+            // Often appended, to override the first one
+            Info<< "Entry '" << key_.c_str() << "' of " << is_.name().name()
+                << " is given twice: the last one counts" << nl;
+        }
+        else if (again)
         {
             FatalIOErrorInFunction(is_)
                 << "Entry '" << key_.c_str() << "' is given twice" << nl

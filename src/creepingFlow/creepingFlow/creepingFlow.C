@@ -24,6 +24,7 @@ License
 #include "creepingFlow.H"
 #include "checkedEntry.H"
 #include "checkedText.H"
+#include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -323,6 +324,20 @@ void Foam::creepingFlow::report()
 
     ++nUnconverged_;
 
+    for (const scalar residual : performance_.final)
+    {
+        if (!std::isfinite(residual))
+        {
+            FatalErrorInFunction
+                << "The flow at time " << mesh_.time().timeName()
+                << " is not finite: residuals of U, p_rgh, omega "
+                << performance_.final << nl
+                << "    Constants of materials, loads, velocities or lengths"
+                << " are so large that their products are no numbers"
+                << exit(FatalError);
+        }
+    }
+
     if (goOn_)
     {
         WarningInFunction
@@ -431,6 +446,18 @@ Foam::creepingFlow::creepingFlow
 {
     // Lest decomposing a written time leaves out the signs of turned faces
     phi_.setOriented();
+
+    const dictionary& solution = mesh_.solutionDict();
+    checkedEntry::reportUnread
+    (
+        solution, {typeName, "solvers", "relaxationFactors", "cache"}
+    );
+    if (!solution.found(typeName))
+    {
+        Info<< "No dictionary " << typeName << " in "
+            << solution.name().name() << ": all entries have their"
+            << " defaults" << nl;
+    }
 
     checkedEntry::only
     (

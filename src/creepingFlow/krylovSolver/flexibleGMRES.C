@@ -26,6 +26,7 @@ License
 #include "RectangularMatrix.H"
 #include "PstreamReduceOps.H"
 #include "ListOps.H"
+#include <cmath>
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
@@ -251,9 +252,9 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve(scalarField& x)
     {
         // Nothing drives the flow: rest is the solution
         x = 0;
-        result.initial = scalar(0);
-        result.final = scalar(0);
         result.converged = reference >= 0;
+        result.initial = result.converged ? 0 : reference;
+        result.final = result.initial;
         return result;
     }
 
@@ -281,6 +282,12 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve(scalarField& x)
 
     result.final = norms(r, reference);
     result.converged = residual <= tolerance_;
+
+    // A reference beyond range leaves zeros
+    if (!std::isfinite(residual))
+    {
+        result.final = residual;
+    }
 
     return result;
 }

@@ -309,12 +309,22 @@ void Foam::flowBoundary::update()
             pressure_[i] = pp[facei];
         }
 
+        // Others are results
         const word& name = Up.patch().name();
-        checkValues("U", name, mag(Up));
         checkValues("U", name, mag(traction));
-        checkValues("omega", name, mag(wp));
         checkValues("omega", name, mag(couple));
-        checkValues("p_rgh", name, mag(pp));
+        if (Up.fixesValue())
+        {
+            checkValues("U", name, mag(Up));
+        }
+        if (wp.fixesValue())
+        {
+            checkValues("omega", name, mag(wp));
+        }
+        if (pp.fixesValue())
+        {
+            checkValues("p_rgh", name, mag(pp));
+        }
     }
 }
 

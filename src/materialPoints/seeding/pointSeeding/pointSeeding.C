@@ -25,7 +25,6 @@ License
 #include "checkedEntry.H"
 #include "materialPointCloud.H"
 #include "planarCells.H"
-#include "globalMeshData.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -144,7 +143,7 @@ Foam::pointSeeding::pointSeeding
     }
 
     const scalar nPoints =
-        scalar(pointsPerCell_)*mesh.globalData().nTotalCells();
+        scalar(pointsPerCell_)*returnReduce(mesh.nCells(), sumOp<label>());
     if (nPoints > labelMax)
     {
         FatalIOErrorInFunction(dict)
