@@ -13,7 +13,7 @@ SOURCES = sorted(
     if not {"lnInclude"} & set(file.parts) and not file.is_symlink())
 
 #: What an include file of the solver's main function is named like
-FRAGMENT = re.compile(r"create|check")
+FRAGMENT = re.compile(r"create|check|manual|solved")
 
 
 @pytest.mark.parametrize("file", SOURCES, ids=lambda f: f.name)
