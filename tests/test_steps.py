@@ -19,6 +19,7 @@ MESH = {
     "gravityChannel": {"n": 8},
     "hopper": {"nx": 12, "nSpout": 3, "nCone": 10, "nBin": 6},
     "rayleighTaylor": {"n": 16},
+    "schemes": {"nx": 20, "ny": 20},
     "shearLayer": {"n": 12},
     "silo": mesh_entries(4),
     "sinkingInclusion": {"n": 16},
