@@ -9,7 +9,7 @@ import shutil
 import signal
 import subprocess
 import time
-from pathlib import Path
+from contextlib import suppress
 
 from cosserat.case import Case
 from studies.common import HERE, fresh_case
@@ -56,25 +56,33 @@ def delete_last(case, ranks, log):
     return True
 
 
-def kill(process):
-    """kill -9 for a program and, of mpirun, its ranks, which are in process
-    groups of their own."""
-    children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
-    for pid in [process.pid, *children.read_text().split()]:
-        os.kill(int(pid), signal.SIGKILL)
+def command(ranks):
+    """Words that run the solver; each of several ranks says in pid.RANK what
+    process it is, for mpirun gives them groups of their own."""
+    if ranks == 1:
+        return ["cosseratPicFoam"]
+    return ["mpirun", "-np", str(ranks), "sh", "-c",
+            'echo $$ > "pid.$OMPI_COMM_WORLD_RANK";'
+            " exec cosseratPicFoam -parallel"]
+
+
+def kill(case, process):
+    """kill -9 for a program and, of mpirun, its ranks."""
+    pids = [int(file.read_text()) for file in case.path.glob("pid.*")]
+    for pid in [process.pid, *pids]:
+        with suppress(ProcessLookupError):      # ended by itself
+            os.kill(pid, signal.SIGKILL)
 
 
 def go_on(case, ranks, kills, chance):
     """Run a case to its end, killing it so often; times that were half
     written and deleted by hand, and the last log."""
-    command = (["mpirun", "-np", str(ranks), "cosseratPicFoam", "-parallel"]
-               if ranks > 1 else ["cosseratPicFoam"])
     first = Case(parts(case, ranks)[0])
     deleted = 0
     while True:
         before = len(first.times())
         with subprocess.Popen(
-                command, cwd=case.path, text=True,
+                command(ranks), cwd=case.path, text=True,
                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
             if kills:
                 # Some steps on, then at any moment of a step
@@ -83,7 +91,7 @@ def go_on(case, ranks, kills, chance):
                     time.sleep(0.002)
                 time.sleep(chance.uniform(0, WINDOW))
                 if process.poll() is None:
-                    kill(process)
+                    kill(case, process)
                     kills -= 1
             log = process.communicate()[0]
         if delete_last(case, ranks, log):
