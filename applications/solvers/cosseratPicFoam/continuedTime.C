@@ -96,6 +96,30 @@ void Foam::continuedTime::refuse() const
 }
 
 
+bool Foam::continuedTime::left() const
+{
+    IOobject U("U", timeName(), *this);
+    if (U.typeHeaderOk<IOdictionary>(false))
+    {
+        return false;
+    }
+
+    for (const instant& t : times())
+    {
+        if (t.name() != constant() && t.value() < restartTime_)
+        {
+            IOobject io(written, t.name(), "uniform", *this);
+            if (io.typeHeaderOk<IOdictionary>(false))
+            {
+                return true;
+            }
+        }
+    }
+
+    return false;
+}
+
+
 Foam::fileName Foam::continuedTime::cutShort(const fileName& dir) const
 {
     for (const fileName& name : readDir(dir, fileName::FILE, false))
@@ -181,7 +205,7 @@ Foam::continuedTime::continuedTime(const argList& args)
     const bool whole = writtenIO.typeHeaderOk<IOdictionary>(true);
 
     // A start time made by hand or by a tool has neither
-    if (returnReduce(begun && !whole, orOp<bool>()))
+    if (returnReduce((begun || left()) && !whole, orOp<bool>()))
     {
         refuse();
     }
