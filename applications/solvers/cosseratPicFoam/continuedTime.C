@@ -75,16 +75,24 @@ Foam::IOobject Foam::continuedTime::uniformIO
 }
 
 
-void Foam::continuedTime::refuse() const
+Foam::DynamicList<Foam::word> Foam::continuedTime::timesBefore() const
 {
-    word before("the start");
+    DynamicList<word> before;
     for (const instant& t : times())
     {
         if (t.name() != constant() && t.value() < restartTime_)
         {
-            before = t.name();
+            before.append(t.name());
         }
     }
+
+    return before;
+}
+
+
+void Foam::continuedTime::refuse() const
+{
+    const DynamicList<word> before(timesBefore());
 
     FatalErrorInFunction
         << "Time " << timeName() << " of " << path()
@@ -92,7 +100,8 @@ void Foam::continuedTime::refuse() const
         << " is not there" << nl
         << "    A run has been stopped while it wrote this time. Delete its"
         << " directory (of all processors); the last one before is "
-        << before << exit(FatalError);
+        << (before.empty() ? word("the start") : before.last())
+        << exit(FatalError);
 }
 
 
@@ -104,15 +113,12 @@ bool Foam::continuedTime::left() const
         return false;
     }
 
-    for (const instant& t : times())
+    for (const word& before : timesBefore())
     {
-        if (t.name() != constant() && t.value() < restartTime_)
+        IOobject io(written, before, "uniform", *this);
+        if (io.typeHeaderOk<IOdictionary>(false))
         {
-            IOobject io(written, t.name(), "uniform", *this);
-            if (io.typeHeaderOk<IOdictionary>(false))
-            {
-                return true;
-            }
+            return true;
         }
     }
 
@@ -143,12 +149,16 @@ Foam::fileName Foam::continuedTime::cutShort(const fileName& dir) const
 }
 
 
-void Foam::continuedTime::checkWritten(const bool good) const
+void Foam::continuedTime::checkWritten
+(
+    const bool good,
+    const fileName& dir
+) const
 {
     fileName found;
     if (isA<fileOperations::uncollatedFileOperation>(fileHandler()))
     {
-        found = cutShort(timePath());
+        found = cutShort(dir);
     }
 
     if (!returnReduce(good && found.empty(), andOp<bool>()))
@@ -250,12 +260,16 @@ bool Foam::continuedTime::writeObject(writeObjectParameters) const
     label& purgeWrite = const_cast<label&>(purgeWrite_);
     const label nKept = purgeWrite;
     purgeWrite = 0;
-    checkWritten(Time::writeObject(writeObjectArguments));
+    checkWritten(Time::writeObject(writeObjectArguments), timePath());
     purgeWrite = nKept;
 
     IOdictionary dict(uniformIO(written, IOobject::NO_READ));
     dict.add("startTime", timeName(startTime_, maxPrecision_));
-    checkWritten(dict.regIOobject::writeObject(writeObjectInAscii));
+    checkWritten
+    (
+        dict.regIOobject::writeObject(writeObjectInAscii),
+        timePath()/"uniform"
+    );
     purge();
 
     return true;
