@@ -286,7 +286,6 @@ Foam::materialFields::materialFields
             << averageTypeNames[densityAverage_] << nl;
     }
     Info<< endl;
-    parts_.print(Info);
 }
 
 

@@ -93,26 +93,29 @@ Foam::sceneParts::sceneParts
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::sceneParts::print(Ostream& os) const
+void Foam::sceneParts::print(Ostream& os, const string& corners) const
 {
-    os  << "Parts of the scene" << nl;
-    forAll(reasons_, i)
+    auto row = [&os](const word& name, const string& what)
     {
-        const word& name = partNames[part(i)];
         os  << "    " << name.c_str();
         for (label k = name.size(); k < 18; ++k)
         {
             os  << ' ';
         }
-        if (has(part(i)))
-        {
-            os  << "yes (" << reasons_[i].c_str() << ')' << nl;
-        }
-        else
-        {
-            os  << (i == MATRICES ? "when a property changes" : "no") << nl;
-        }
+        os  << what.c_str() << nl;
+    };
+
+    os  << "Parts of the scene" << nl;
+    forAll(reasons_, i)
+    {
+        row
+        (
+            partNames[part(i)],
+            has(part(i)) ? "yes (" + reasons_[i] + ')'
+          : i == MATRICES ? string("when a property changes") : string("no")
+        );
     }
+    row("corners", corners);
     os  << endl;
 }
 

@@ -120,6 +120,35 @@ bool Foam::creepingFlow::readGoOn() const
 }
 
 
+bool Foam::creepingFlow::readCorners() const
+{
+    const word choice
+    (
+        controls_.getOrDefault<word>("corners", "automatic")
+    );
+
+    if (choice != "automatic" && choice != "off")
+    {
+        FatalIOErrorInFunction(controls_)
+            << "Entry 'corners' is " << choice << nl
+            << "    Allowed: automatic, off" << exit(FatalIOError);
+    }
+
+    return choice == "automatic";
+}
+
+
+void Foam::creepingFlow::printParts() const
+{
+    materials_.parts().print
+    (
+        Info,
+        readCorners() ? system_.corners().description() : string("off")
+    );
+    Info<< "Creeping flow" << nl;
+}
+
+
 Foam::volScalarField Foam::creepingFlow::readOmega
 (
     const materialFields& materials
@@ -430,13 +459,12 @@ Foam::creepingFlow::creepingFlow
         frame_, halo_, U_, pRgh_, omega_,
         materials.parts().has(sceneParts::MICROROTATION)
     ),
-    system_(mesh_, frame_, halo_, boundary_, materials),
+    system_(mesh_, frame_, halo_, boundary_, materials, readCorners()),
     preconditioner_(system_, halo_, preconditionerControls()),
     motions_(system_),
     solver_
     (
-        (Info<< "Creeping flow" << nl, system_), preconditioner_, motions_,
-        controls_
+        (printParts(), system_), preconditioner_, motions_, controls_
     ),
     nChanges_(0),
     nUnconverged_(0),
@@ -464,7 +492,7 @@ Foam::creepingFlow::creepingFlow
         controls_,
         {
             "tolerance", "maxIter", "nDirections", "notConverged",
-            "preconditioner", "freeSurfaceStabilisation", "forced"
+            "preconditioner", "freeSurfaceStabilisation", "corners", "forced"
         }
     );
     checkField(U_, dimVelocity);
@@ -497,6 +525,7 @@ const Foam::creepingFlow& Foam::creepingFlow::find(const fvMesh& mesh)
 void Foam::creepingFlow::solve()
 {
     boundary_.update();
+    system_.updateWalls();
 
     // As long as no property changes the matrices are those of the last solve
     if

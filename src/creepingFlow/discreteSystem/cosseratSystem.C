@@ -277,6 +277,105 @@ void Foam::cosseratSystem::setReconstruction()
 }
 
 
+void Foam::cosseratSystem::setMaterials
+(
+    const scalarField& eta,
+    const scalarField& etaC,
+    const scalarField& M
+)
+{
+    SubList<scalar>(eta_, nCells_) = eta;
+    SubList<scalar>(etaC_, nCells_) = etaC;
+    SubList<scalar>(M_, nCells_) = M;
+    halo_.swap("sss", {&eta_, &etaC_, &M_});
+
+    // Slots of walls are not read; they must not divide by zero either
+    for (const label f : oneSided_)
+    {
+        eta_[nei_[f]] = eta_[own_[f]];
+        etaC_[nei_[f]] = etaC_[own_[f]];
+        M_[nei_[f]] = M_[own_[f]];
+    }
+
+    es_ = min(etaC_, eta_);
+    a_ = eta_ + es_;
+    b_ = eta_ - es_;
+
+    setFaceCoefficients();
+    setRAU();
+}
+
+
+void Foam::cosseratSystem::setRAU()
+{
+    scalarField diag[2], face;
+    velocityBlock(0, diag[0], face);
+    velocityBlock(1, diag[1], face);
+
+    scalarField rAU(halo_.size());
+    SubList<scalar>(rAU, nCells_) = V_/(0.5*diag[0] + 0.5*diag[1]);
+    halo_.swap("s", {&rAU});
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const label P = own_[f], N = nei_[f];
+            rAUf_[f] =
+                (w_[f]*rAU[P] + (1 - w_[f])*rAU[N])
+               *4*eta_[P]*eta_[N]/sqr(eta_[P] + eta_[N]);
+        }
+    }
+    for (const label f : oneSided_)
+    {
+        rAUf_[f] = rAU[own_[f]];
+    }
+}
+
+
+void Foam::cosseratSystem::setCorners
+(
+    const scalarField& eta,
+    const scalarField& etaC,
+    const scalarField& M
+)
+{
+    corners_.setMaterials(eta, etaC, M, materials_.invB().primitiveField());
+
+    scalarField etaAround(eta), etaCAround(etaC), MAround(M);
+    while (corners_.takeJobs(etaAround, etaCAround, MAround))
+    {
+        setMaterials(etaAround, etaCAround, MAround);
+        corners_.doJobs
+        (
+            [this](const scalarField& x, scalarField& r)
+            {
+                plainResidual(x, r);
+            }
+        );
+    }
+}
+
+
+void Foam::cosseratSystem::checkCouples() const
+{
+    for (const label f : oneSided_)
+    {
+        const scalar couple = boundary_.couple(f - nInternal_);
+        if (couple != 0 && M_[own_[f]] <= 0)
+        {
+            FatalErrorInFunction
+                << "A coupleTraction of " << couple << " Pa m acts on the wall"
+                << " of cell " << own_[f] << " at " << mesh_.C()[own_[f]]
+                << ", whose bending viscosity M is 0" << nl
+                << "    Allowed: coupleTraction 0 or zeroGradient, or a"
+                << " material with etaC and R above zero there"
+                << exit(FatalError);
+        }
+    }
+}
+
+
 void Foam::cosseratSystem::setFaceCoefficients()
 {
     for (scalarField* field : {&Kn_, &Kt_, &Kq_})
@@ -549,7 +648,8 @@ Foam::cosseratSystem::cosseratSystem
     const planarFrame& frame,
     const haloExchange& halo,
     const flowBoundary& boundary,
-    const materialFields& materials
+    const materialFields& materials,
+    const bool wantCorners
 )
 :
     mesh_(mesh),
@@ -559,6 +659,7 @@ Foam::cosseratSystem::cosseratSystem
     materials_(materials),
     load_(mesh),
     stabilisation_(mesh, frame, halo),
+    corners_(mesh, frame, halo, boundary, wantCorners),
     cosserat_(materials.parts().has(sceneParts::MICROROTATION)),
     compressible_(materials.parts().has(sceneParts::COMPRESSIBILITY)),
     pressureFloats_(false),
@@ -606,40 +707,16 @@ Foam::cosseratSystem::cosseratSystem
 
 void Foam::cosseratSystem::update()
 {
-    SubList<scalar>(eta_, nCells_) = materials_.eta().primitiveField();
-    SubList<scalar>(etaC_, nCells_) = materials_.etaC().primitiveField();
-    SubList<scalar>(M_, nCells_) = materials_.M().primitiveField();
+    const scalarField& eta = materials_.eta().primitiveField();
+    const scalarField& M = materials_.M().primitiveField();
+    scalarField etaC(materials_.etaC().primitiveField());
 
     // Without bending viscosity the moment balance is s = 0: no effect of etaC
-    forAll(etaC_, celli)
+    forAll(etaC, celli)
     {
-        if (M_[celli] <= 0)
+        if (M[celli] <= 0)
         {
-            etaC_[celli] = 0;
-        }
-    }
-    halo_.swap("sss", {&eta_, &etaC_, &M_});
-
-    // Slots of walls are not read; they must not divide by zero either
-    for (const label f : oneSided_)
-    {
-        eta_[nei_[f]] = eta_[own_[f]];
-        etaC_[nei_[f]] = etaC_[own_[f]];
-        M_[nei_[f]] = M_[own_[f]];
-    }
-
-    for (const label f : oneSided_)
-    {
-        const scalar couple = boundary_.couple(f - nInternal_);
-        if (couple != 0 && M_[own_[f]] <= 0)
-        {
-            FatalErrorInFunction
-                << "A coupleTraction of " << couple << " Pa m acts on the wall"
-                << " of cell " << own_[f] << " at " << mesh_.C()[own_[f]]
-                << ", whose bending viscosity M is 0" << nl
-                << "    Allowed: coupleTraction 0 or zeroGradient, or a"
-                << " material with etaC and R above zero there"
-                << exit(FatalError);
+            etaC[celli] = 0;
         }
     }
 
@@ -647,14 +724,16 @@ void Foam::cosseratSystem::update()
     pressureFloats_ =
         boundary_.closed() && !(compressible_ && compliance() > 0);
 
-    es_ = min(etaC_, eta_);
-    a_ = eta_ + es_;
-    b_ = eta_ - es_;
+    stabilisation_.update(materials_.rho(), gravity());
 
-    setFaceCoefficients();
+    if (corners_.active())
+    {
+        setCorners(eta, etaC, M);
+    }
+    setMaterials(eta, etaC, M);
+    checkCouples();
     setGravity();
     setLoad();
-    stabilisation_.update(materials_.rho(), gravity());
 }
 
 
@@ -748,29 +827,6 @@ void Foam::cosseratSystem::rotationBlock
         {
             diag[own_[f]] += Km_[f];
         }
-    }
-}
-
-
-void Foam::cosseratSystem::setRAU(const scalarField& rAU)
-{
-    scalarField extended(halo_.size());
-    SubList<scalar>(extended, nCells_) = rAU;
-    halo_.swap("s", {&extended});
-
-    for (const labelPair& range : twoSided_)
-    {
-        for (label f = range.first(); f < range.second(); ++f)
-        {
-            const label P = own_[f], N = nei_[f];
-            rAUf_[f] =
-                (w_[f]*extended[P] + (1 - w_[f])*extended[N])
-               *4*eta_[P]*eta_[N]/sqr(eta_[P] + eta_[N]);
-        }
-    }
-    for (const label f : oneSided_)
-    {
-        rAUf_[f] = extended[own_[f]];
     }
 }
 

@@ -443,6 +443,7 @@ void Foam::cosseratSystem::viscousEntries(sparseEntries& e) const
     }
 
     addFaceEntries(ids, e);
+    corners_.addEntries(cosserat_ ? 3 : 2, e);
 
     // Against rigid motions that no wall holds, which others remove
     const label nb = cosserat_ ? 3 : 2;

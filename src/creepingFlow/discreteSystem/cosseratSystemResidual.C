@@ -809,13 +809,11 @@ void Foam::cosseratSystem::addCells
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::cosseratSystem::residual
+void Foam::cosseratSystem::calcTerms
 (
     const scalarField& x,
-    scalarField& r,
-    const bool driven
+    const bool driven,
+    const bool moving
 ) const
 {
     unpack(x, driven);
@@ -829,14 +827,47 @@ void Foam::cosseratSystem::residual
     {
         weightGradient();
     }
-    calcForce(driven, true);
+    calcForce(driven, moving);
     halo_.swap("tv", {&G00_, &G01_, &G10_, &G11_, &f0_, &f1_});
+}
 
+
+void Foam::cosseratSystem::addTerms(scalarField& r, const bool driven) const
+{
     r.setSize(size());
     r = 0;
     addTwoSided(r);
     addOneSided(r, driven);
     addCells(r, driven);
+}
+
+
+void Foam::cosseratSystem::plainResidual
+(
+    const scalarField& x,
+    scalarField& r
+) const
+{
+    calcTerms(x, false, false);
+    addTerms(r, false);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::cosseratSystem::residual
+(
+    const scalarField& x,
+    scalarField& r,
+    const bool driven
+) const
+{
+    calcTerms(x, driven, true);
+    addTerms(r, driven);
+    if (corners_.active())
+    {
+        corners_.addForce(u0_, u1_, driven, r);
+    }
 }
 
 

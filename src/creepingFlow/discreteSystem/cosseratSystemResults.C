@@ -137,6 +137,11 @@ Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
         }
     }
 
+    if (corners_.active())
+    {
+        corners_.addPower(u0_, u1_, sum.walls, sum.viscous);
+    }
+
     if (cosserat_)
     {
         for (label celli = 0; celli < nCells_; ++celli)

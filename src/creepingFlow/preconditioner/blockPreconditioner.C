@@ -168,19 +168,18 @@ void Foam::blockPreconditioner::update()
     }
 
     weights_.setSize(system_.size());
-    scalarField diag, face, rAU(n, Zero);
+    scalarField diag, face;
 
     for (label cmpt = 0; cmpt < 2; ++cmpt)
     {
         system_.velocityBlock(cmpt, diag, face);
+        system_.corners().addDiagonal(cmpt, diag);
         if (!direct_)
         {
             blocks_[cmpt].set(diag, face);
         }
         SubList<scalar>(weights_, n, cmpt*n) = 1/sqrt(diag);
-        rAU += 0.5*diag;
     }
-    system_.setRAU(V/rAU);
 
     if (direct_)
     {

@@ -1,0 +1,339 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cornerModel.H"
+#include "sparseFactorisation.H"
+#include "openfoamVersion.H"
+#include "unitConversion.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::cornerModel::sumOverAll(scalarList& values)
+{
+    Pstream::listCombineGather(values, plusEqOp<scalar>());
+    sendListToAll(values);
+}
+
+
+void Foam::cornerModel::gather
+(
+    const scalarField& u0,
+    const scalarField& u1,
+    const bool driven,
+    scalarList& u
+) const
+{
+    u.setSize(2*starts_.last());
+    u = 0;
+
+    forAll(corners_, i)
+    {
+        const List<wallCorner::cell>& cells = corners_[i].cells();
+        forAll(cells, k)
+        {
+            if (isMine(cells[k]))
+            {
+                u[2*(starts_[i] + k)] = u0[cells[k].local];
+                u[2*(starts_[i] + k) + 1] = u1[cells[k].local];
+            }
+        }
+    }
+
+    if (anyShared_)
+    {
+        sumOverAll(u);
+    }
+
+    if (driven && anyHolds_)
+    {
+        forAll(corners_, i)
+        {
+            forAll(corners_[i].cells(), k)
+            {
+                const vector2D wall(wallVelocity(i, k));
+                u[2*(starts_[i] + k)] -= wall.x();
+                u[2*(starts_[i] + k) + 1] -= wall.y();
+            }
+        }
+    }
+}
+
+
+Foam::vector2D Foam::cornerModel::wallVelocity
+(
+    const label corneri,
+    const label k
+) const
+{
+    const wallCorner& corner = corners_[corneri];
+    const wallCorner::cell& c = corner.cells()[k];
+    const FixedList<scalar, 3>& motion = wallMotion_[corneri];
+
+    return
+        vector2D(motion[0], motion[1])
+      + motion[2]*c.r*corner.alongTheta(c.theta);
+}
+
+
+Foam::scalar Foam::cornerModel::force
+(
+    const label corneri,
+    const scalarList& u,
+    const label i
+) const
+{
+    scalar sum = 0;
+    for (label j = 0; j < 2*corners_[corneri].cells().size(); ++j)
+    {
+        sum += K(corneri, i, j)*u[2*starts_[corneri] + j];
+    }
+    return sum;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::cornerModel::cornerModel
+(
+    const fvMesh& mesh,
+    const planarFrame& frame,
+    const haloExchange& halo,
+    const flowBoundary& boundary,
+    const bool wanted
+)
+:
+    mesh_(mesh),
+    frame_(frame),
+    boundary_(boundary),
+    corners_
+    (
+        wanted
+      ? wallCorner::find(mesh, frame, halo, boundary)
+      : List<wallCorner>()
+    ),
+    starts_(corners_.size() + 1, Zero),
+    shape_(corners_.size()),
+    weight_(corners_.size()),
+    wallMotion_(corners_.size(), FixedList<scalar, 3>(scalar(0))),
+    shared_(corners_.size(), false),
+    anyShared_(false),
+    anyHolds_(false),
+    rounded_(corners_.size())
+{
+    forAll(corners_, i)
+    {
+        const wallCorner& corner = corners_[i];
+        for (const wallCorner::cell& c : corner.cells())
+        {
+            shared_[i] = shared_[i] || c.proc != corner.cells()[0].proc;
+        }
+        for (const wallCorner::wall& w : corner.walls())
+        {
+            anyHolds_ = anyHolds_ || w.holds;
+        }
+        anyShared_ = anyShared_ || shared_[i];
+        starts_[i + 1] = starts_[i] + corner.cells().size();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::cornerModel::description() const
+{
+    label nHold = 0, nSlip = 0;
+    for (const wallCorner& c : corners_)
+    {
+        const label n = c.walls()[0].holds + c.walls()[1].holds;
+        nHold += n == 2;
+        nSlip += n == 0;
+    }
+
+    if (!active())
+    {
+        return "no";
+    }
+
+    OStringStream os;
+    os  << "yes (" << corners_.size() << " of more than half a turn: "
+        << nHold << " no slip, " << nSlip << " slip, "
+        << corners_.size() - nSlip - nHold << " both)";
+    return os.str();
+}
+
+
+void Foam::cornerModel::setWalls()
+{
+    if (!anyHolds_)
+    {
+        return;
+    }
+
+    // Velocities of the walls, of those that have one
+    scalarList v(4*corners_.size(), Zero);
+    forAll(corners_, i)
+    {
+        for (label side = 0; side < 2; ++side)
+        {
+            const wallCorner::wall& w = corners_[i].walls()[side];
+            if (w.holds && w.proc == Pstream::myProcNo())
+            {
+                v[4*i + 2*side] = boundary_.u0(w.face);
+                v[4*i + 2*side + 1] = boundary_.u1(w.face);
+            }
+        }
+    }
+    sumOverAll(v);
+
+    forAll(corners_, i)
+    {
+        const FixedList<wallCorner::wall, 2>& walls = corners_[i].walls();
+        const vector2D a(v[4*i], v[4*i + 1]), b(v[4*i + 2], v[4*i + 3]);
+        FixedList<scalar, 3>& motion = wallMotion_[i];
+        motion = scalar(0);
+
+        if (walls[0].holds && walls[1].holds)
+        {
+            const vector2D d(walls[1].middle - walls[0].middle);
+            const vector2D middle(0.5*(walls[1].middle + walls[0].middle));
+            const vector2D change(b - a);
+            if (mag(d) > SMALL*corners_[i].size())
+            {
+                motion[2] = (d.x()*change.y() - d.y()*change.x())/magSqr(d);
+            }
+            motion[0] = 0.5*(a.x() + b.x()) + motion[2]*middle.y();
+            motion[1] = 0.5*(a.y() + b.y()) - motion[2]*middle.x();
+        }
+        else if (walls[0].holds || walls[1].holds)
+        {
+            motion[0] = a.x() + b.x();
+            motion[1] = a.y() + b.y();
+        }
+    }
+}
+
+
+void Foam::cornerModel::addForce
+(
+    const scalarField& u0,
+    const scalarField& u1,
+    const bool driven,
+    scalarField& r
+) const
+{
+    const label n = mesh_.nCells();
+    scalarList u;
+    gather(u0, u1, driven, u);
+
+    forAll(corners_, i)
+    {
+        const List<wallCorner::cell>& cells = corners_[i].cells();
+        forAll(cells, k)
+        {
+            if (isMine(cells[k]))
+            {
+                r[cells[k].local] -= force(i, u, 2*k);
+                r[n + cells[k].local] -= force(i, u, 2*k + 1);
+            }
+        }
+    }
+}
+
+
+void Foam::cornerModel::addDiagonal
+(
+    const label cmpt,
+    scalarField& diag
+) const
+{
+    forAll(corners_, i)
+    {
+        const List<wallCorner::cell>& cells = corners_[i].cells();
+        forAll(cells, k)
+        {
+            if (isMine(cells[k]))
+            {
+                diag[cells[k].local] += K(i, 2*k + cmpt, 2*k + cmpt);
+            }
+        }
+    }
+}
+
+
+void Foam::cornerModel::addEntries
+(
+    const label nBlocks,
+    sparseEntries& e
+) const
+{
+    forAll(corners_, i)
+    {
+        const List<wallCorner::cell>& cells = corners_[i].cells();
+        for (label a = 0; a < 2*cells.size(); ++a)
+        {
+            if (isMine(cells[a/2]))
+            {
+                for (label b = 0; b < 2*cells.size(); ++b)
+                {
+                    e.add
+                    (
+                        nBlocks*cells[a/2].global + a % 2,
+                        nBlocks*cells[b/2].global + b % 2,
+                        K(i, a, b)
+                    );
+                }
+            }
+        }
+    }
+}
+
+
+void Foam::cornerModel::addPower
+(
+    const scalarField& u0,
+    const scalarField& u1,
+    scalar& walls,
+    scalar& dissipated
+) const
+{
+    scalarList u;
+    gather(u0, u1, true, u);
+
+    forAll(corners_, i)
+    {
+        const List<wallCorner::cell>& cells = corners_[i].cells();
+        forAll(cells, k)
+        {
+            if (isMine(cells[k]))
+            {
+                const vector2D F(force(i, u, 2*k), force(i, u, 2*k + 1));
+                const label at = 2*(starts_[i] + k);
+                walls -= F & wallVelocity(i, k);
+                dissipated += F & vector2D(u[at], u[at + 1]);
+            }
+        }
+    }
+}
+
+
+// ************************************************************************* //
