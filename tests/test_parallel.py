@@ -14,7 +14,7 @@ from cosserat.case import TUTORIALS, Case, RunError
 from studies import parallel
 from studies.kills import compare as compare_killed, files
 from studies.parallel import compare, costs
-from studies.siloDischarge import mesh_entries
+from cosserat.silo import mesh_entries
 
 
 def silo(path, end=1e-4, tolerance=1e-10, **control):

@@ -8,7 +8,7 @@ import pytest
 from scipy.spatial import cKDTree
 
 from cosserat.case import TUTORIALS, Case
-from studies.siloDischarge import mesh_entries
+from cosserat.silo import mesh_entries
 
 #: Cells by tutorial; without an entry as they are
 MESH = {

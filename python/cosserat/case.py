@@ -152,6 +152,16 @@ class Case:
                 for face in faces[start:start + n]])
         return patches
 
+    def internal_faces(self):
+        """Corners of the internal faces, all rectangles: (faces, 4, 3)."""
+        mesh = self.path/"constant/polyMesh"
+        points = parse_list("nonuniform List<vector> "
+                            + _body(mesh/"points"), None)
+        n = int(re.search(r"nInternalFaces:\s*(\d+)", (
+            mesh/"owner").read_text(errors="replace")[:2000]).group(1))
+        faces = re.findall(r"4\(([\d ]+)\)", _body(mesh/"faces"))[:n]
+        return points[np.array([face.split() for face in faces], int)]
+
     def patch_centres(self, name):
         """Face centres of a patch with rectangular faces, shape (n, 3)."""
         return np.array([face.mean(axis=0)

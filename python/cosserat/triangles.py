@@ -40,10 +40,21 @@ def write_prisms(case, n, depth=0.1):
     # Neighbouring cells get neighbouring numbers
     triangles = triangles[np.lexsort(flat[triangles].mean(axis=1).T)]
 
+    def side(a, b):
+        x, y = (a + b)/2
+        distance = {"left": x + 0.5, "right": 0.5 - x, "bottom": y + 0.5,
+                    "top": 0.5 - y}
+        return min(distance, key=distance.get)
+
+    write_polygons(case, flat, triangles, side, depth)
+
+
+def write_polygons(case, flat, cells, side, depth=0.1):
+    """Write the mesh of prisms on cells, polygons of the points flat given
+    counter-clockwise; side(a, b) names the patch of an edge of the boundary."""
     edges = {}
-    for cell, corners in enumerate(triangles):
-        for i in range(3):
-            p, q = corners[i], corners[(i + 1) % 3]
+    for cell, corners in enumerate(cells):
+        for p, q in zip(corners, np.roll(corners, -1)):
             edges.setdefault(frozenset((p, q)), []).append((cell, p, q))
 
     n_flat = len(flat)
@@ -52,24 +63,22 @@ def write_prisms(case, n, depth=0.1):
         """Face between two points, its normal out of a cell to their left."""
         return (p, q, q + n_flat, p + n_flat)
 
-    inner, outer = [], {"left": [], "right": [], "bottom": [], "top": []}
+    inner, outer = [], {}
     for uses in edges.values():
         (cell, p, q), *other = uses
         if other:
             inner.append((cell, other[0][0], quad(p, q)))
-            continue
-        x, y = (flat[p] + flat[q])/2
-        distance = {"left": x + 0.5, "right": 0.5 - x, "bottom": y + 0.5,
-                    "top": 0.5 - y}
-        outer[min(distance, key=distance.get)].append((cell, quad(p, q)))
+        else:
+            outer.setdefault(side(flat[p], flat[q]), []).append(
+                (cell, quad(p, q)))
 
     def ordered(cell, neighbour, face):
         return ((cell, neighbour, face) if cell < neighbour
                 else (neighbour, cell, face[::-1]))
 
     inner = sorted(ordered(*row) for row in inner)
-    caps = ([(i, tuple(t[::-1])) for i, t in enumerate(triangles)]
-            + [(i, tuple(t + n_flat)) for i, t in enumerate(triangles)])
+    caps = ([(i, tuple(t[::-1])) for i, t in enumerate(cells)]
+            + [(i, tuple(np.array(t) + n_flat)) for i, t in enumerate(cells)])
 
     faces = [face for _, _, face in inner]
     owner = [cell for cell, _, _ in inner]
@@ -84,7 +93,7 @@ def write_prisms(case, n, depth=0.1):
 
     points = np.vstack([np.c_[flat, np.zeros(n_flat)],
                         np.c_[flat, np.full(n_flat, depth)]])
-    note = (f'note "nPoints:{len(points)}  nCells:{len(triangles)}  '
+    note = (f'note "nPoints:{len(points)}  nCells:{len(cells)}  '
             f'nFaces:{len(faces)}  nInternalFaces:{len(inner)}"; ')
 
     def file(name, cls, rows):

@@ -14,7 +14,7 @@ matplotlib.use("Agg")
 from cosserat.analytic import GravityChannel, Material, ShearLayer, err
 from cosserat.case import TUTORIALS, Case, environment, residuals
 
-NAMES = ["convergence", "significance", "internalLength", "longShear",
+NAMES = ["siloRate", "convergence", "significance", "internalLength", "longShear",
          "siloDischarge", "granularContact", "invariants", "manufactured",
          "extremes", "solveCost", "sceneCost", "pointIntegration",
          "rigidShear", "pointDistribution", "pointCoupling", "rayleighTaylor",

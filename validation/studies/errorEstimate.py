@@ -12,7 +12,7 @@ from cosserat.box import Box
 from cosserat.tradeoff import extrapolate, restrict
 from studies.common import HERE, PAPER, WALLS, new_case, run_layer, save
 from studies.manufactured import MATERIALS, MESHES
-from studies.siloDischarge import mesh_entries
+from cosserat.silo import mesh_entries
 
 CELLS = [12, 24, 48, 96]
 

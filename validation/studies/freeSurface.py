@@ -12,7 +12,8 @@ import numpy as np
 from cosserat.case import RunError
 from cosserat.picture import outflow
 from studies.common import new_case, save
-from studies.siloDischarge import VOLUME, mesh_entries
+from cosserat.silo import mesh_entries
+from studies.siloDischarge import VOLUME
 
 THETAS = [0, 0.5, 1]
 

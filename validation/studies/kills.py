@@ -13,7 +13,7 @@ from contextlib import suppress
 
 from cosserat.case import Case
 from studies.common import HERE, fresh_case
-from studies.siloDischarge import mesh_entries
+from cosserat.silo import mesh_entries
 
 #: Ranks: kills
 KILLS = {1: 20, 2: 5}

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from time import sleep, time
 
 from studies.common import HERE, fresh_case
-from studies.siloDischarge import mesh_entries
+from cosserat.silo import mesh_entries
 
 COUNT, SEED = 1000, 20260
 

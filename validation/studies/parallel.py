@@ -11,7 +11,7 @@ from scipy.spatial import cKDTree
 
 from cosserat.case import residuals
 from studies.common import new_case, save
-from studies.siloDischarge import mesh_entries
+from cosserat.silo import mesh_entries
 
 METHODS = ("simple", "hierarchical", "scotch", "metis", "ptscotch")
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from cosserat.case import residuals
 from cosserat.picture import outflow, snapshots
+from cosserat.silo import mesh_entries, rate
 from studies.common import RESULTS, cpu_seconds, new_case, save
 
 ALPHAS = {"0": 0.0, "1/3": 1/3, "2/3": 2/3, "5/3": 5/3, "10/3": 10/3}
@@ -22,28 +23,14 @@ VOLUME = 25.0
 REST = 1e-9
 TIMES = [REST, 4.75e-4, 1.425e-3, 2.85e-3, 3.8e-3]
 
-#: Lengths of the blocks of blockMeshDict
-BLOCKS = {"nWall": 0.25, "nAperture": 1, "nCorridor": 1, "nAbove": 1,
-          "nFloor": 2, "nBelow": 3.75, "nFill": 5}
-
-
-def mesh_entries(cells):
-    """Entries of blockMeshDict for a number of cells a unit length."""
-    return {key: round(length*cells) for key, length in BLOCKS.items()}
-
 
 def initial_rate(case):
-    """Volume that leaves through the aperture in a time, at rest [m2/s]: the
-    velocity through y = 0, from the cells on either side."""
+    """Volume that leaves through the aperture in a time, at rest [m2/s]."""
     case.substitute("system/controlDict", {
         "endTime": REST, "deltaT": REST, "adjustTimeStep": "no",
         "writeControl": "timeStep", "writeInterval": 1})
     case.run("cosseratPicFoam")
-    centres, U = case.centres(), case.field("U")
-    width = np.ptp(np.unique(centres[:, 0].round(9))[:2])
-    rows = ((np.abs(centres[:, 0]) < 0.5)
-            & (np.abs(centres[:, 1]) < 0.75*width))
-    return float(-U[rows, 1].sum()*width/2)
+    return rate(case)
 
 
 def run(name, alpha, cells, average):
@@ -58,7 +45,7 @@ def run(name, alpha, cells, average):
 
     target = f"{name.replace('/', '_')}-{cells}-{average}"
     rest = scene(f"{target}-rest")
-    rate = initial_rate(rest)
+    initial = initial_rate(rest)
     case = scene(target)
     case.run("cosseratPicFoam")
     # The picture at rest
@@ -69,7 +56,7 @@ def run(name, alpha, cells, average):
     return case, {
         "alpha": alpha, "cells": cells, "cell": 1/cells,
         "viscosityAverage": average,
-        "initialRate": rate,
+        "initialRate": initial,
         "outflow": float(rows[-1, 1]),
         "timeToHalf": float(np.interp(VOLUME/2, *rows[half[0] - 1:half[0] + 1,
                                                       [1, 0]].T))

@@ -11,10 +11,10 @@ import numpy as np
 from cosserat.analytic import GravityChannel, Material, ShearLayer, err
 from cosserat.case import FILES, RunError, residuals
 from cosserat.picture import outflow
+from cosserat.silo import mesh_entries
 from cosserat.tradeoff import (distance, extrapolate, front, override)
 from studies.common import (HERE, PAPER, constant_material, cpu_seconds,
                             new_case)
-from studies.siloDischarge import mesh_entries
 from studies.speedAccuracyFigures import draw
 
 DEFAULT = {"pointsPerCell": 16, "velocity": "conservativeLinear",

@@ -22,19 +22,21 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cornerFlow.H"
-#include "scalarMatrices.H"
+#include "scalarList.H"
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
 //- Range in which exponents are looked for
-static const Foam::scalar lowestLambda = 0.004, highestLambda = 0.95;
+static const Foam::scalar lowestLambda = 0.004, highestLambda = 0.85;
 
 //- Points of that: half of them in geometric steps, from slow slides on
 static const Foam::label nPoints = 240;
 
-//- Half the distance of two exponents that stand for a pair of complex ones or
-//- a double one with a single solution; largest imaginary part of those
-static const Foam::scalar halfWidth = 0.02, largestImaginary = 0.15;
+//- Half the distance of two exponents that stand for a double one
+static const Foam::scalar halfWidth = 0.02;
+
+//- Imaginary parts: of what is a double zero, and the largest looked for
+static const Foam::scalar smallestImaginary = 1e-3, largestImaginary = 0.6;
 
 //- Zeros nearer than this are a double one
 static const Foam::scalar smallestDistance = 1e-4;
@@ -46,9 +48,45 @@ static const Foam::scalar smallConditions = 1e-4;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::cornerFlow::solve(rows& A, state& b)
+{
+    for (label k = 0; k < 4; ++k)
+    {
+        label pivot = k;
+        for (label i = k + 1; i < 4; ++i)
+        {
+            if (std::abs(A[i][k]) > std::abs(A[pivot][k]))
+            {
+                pivot = i;
+            }
+        }
+        std::swap(A[k], A[pivot]);
+        std::swap(b[k], b[pivot]);
+
+        for (label i = k + 1; i < 4; ++i)
+        {
+            const number factor = A[i][k]/A[k][k];
+            for (label j = k; j < 4; ++j)
+            {
+                A[i][j] -= factor*A[k][j];
+            }
+            b[i] -= factor*b[k];
+        }
+    }
+    for (label k = 3; k >= 0; --k)
+    {
+        for (label j = k + 1; j < 4; ++j)
+        {
+            b[k] -= A[k][j]*b[j];
+        }
+        b[k] /= A[k][k];
+    }
+}
+
+
 Foam::cornerFlow::rows Foam::cornerFlow::stateRows
 (
-    const scalar lambda,
+    const number lambda,
     const label k,
     const scalar theta
 ) const
@@ -56,25 +94,24 @@ Foam::cornerFlow::rows Foam::cornerFlow::stateRows
     const scalar eta = sectors_[k].eta/scale_;
     const scalar etaC = sectors_[k].etaC/scale_;
     const scalar mu = eta + etaC;
-    const scalar m[] = {lambda + 1, lambda - 1};
+    const number m[] = {lambda + 1.0, lambda - 1.0};
     rows R;
 
     for (label i = 0; i < 4; ++i)
     {
         // cos, sin of (lambda + 1) theta, then of (lambda - 1) theta
-        const scalar a = m[i/2];
-        const scalar c = Foam::cos(a*theta), s = Foam::sin(a*theta);
+        const number a = m[i/2];
+        const number c = std::cos(a*theta), s = std::sin(a*theta);
         const bool sine = i % 2;
-        const scalar F = sine ? s : c;
-        const scalar F1 = sine ? a*c : -a*s;
-        const scalar F2 = -a*a*F, F3 = -a*a*F1;
-        const scalar p = mu*(sqr(lambda + 1)*F1 + F3)/(lambda - 1);
+        const number F = sine ? s : c;
+        const number F1 = sine ? a*c : -a*s;
+        const number F2 = -a*a*F, F3 = -a*a*F1;
+        const number p = mu*(m[0]*m[0]*F1 + F3)/m[1];
 
         R[0][i] = F1;
-        R[1][i] = -(lambda + 1)*F;
+        R[1][i] = -m[0]*F;
         R[2][i] = -p - 2*eta*lambda*F1;
-        R[3][i] =
-            mu*(F2 + (lambda + 1)*F) - (eta - etaC)*(lambda + 1)*lambda*F;
+        R[3][i] = mu*(F2 + m[0]*F) - (eta - etaC)*m[0]*lambda*F;
     }
 
     return R;
@@ -82,36 +119,27 @@ Foam::cornerFlow::rows Foam::cornerFlow::stateRows
 
 
 Foam::FixedList<Foam::List<Foam::cornerFlow::state>, 2>
-Foam::cornerFlow::carried(const scalar lambda) const
+Foam::cornerFlow::carried(const number lambda) const
 {
     FixedList<List<state>, 2> coeffs;
 
     for (label free = 0; free < 2; ++free)
     {
         // Free are sigma_tt, and sigma_tr or u_r
-        state y(scalar(0));
+        state y(number(0));
         y[free == 0 ? 2 : holds_[0] ? 3 : 0] = 1;
         coeffs[free].setSize(sectors_.size());
 
         forAll(sectors_, k)
         {
-            const rows R(stateRows(lambda, k, 0));
-            scalarSquareMatrix A(4);
-            scalarList c(4);
-            for (label i = 0; i < 4; ++i)
-            {
-                c[i] = y[i];
-                for (label j = 0; j < 4; ++j)
-                {
-                    A(i, j) = R[i][j];
-                }
-            }
-            LUsolve(A, c);
+            rows R(stateRows(lambda, k, 0));
+            state& c = coeffs[free][k];
+            c = y;
+            solve(R, c);
 
             const rows E(stateRows(lambda, k, sectors_[k].end - start(k)));
             for (label i = 0; i < 4; ++i)
             {
-                coeffs[free][k][i] = c[i];
                 y[i] = 0;
                 for (label j = 0; j < 4; ++j)
                 {
@@ -125,8 +153,8 @@ Foam::cornerFlow::carried(const scalar lambda) const
 }
 
 
-Foam::FixedList<Foam::scalar, 4>
-Foam::cornerFlow::conditions(const scalar lambda) const
+Foam::cornerFlow::state
+Foam::cornerFlow::conditions(const number lambda) const
 {
     const FixedList<List<state>, 2> coeffs(carried(lambda));
     const label last = sectors_.size() - 1;
@@ -136,7 +164,7 @@ Foam::cornerFlow::conditions(const scalar lambda) const
     );
     const label which[] = {1, holds_[1] ? 0 : 3};
 
-    FixedList<scalar, 4> B(scalar(0));
+    state B(number(0));
     for (label i = 0; i < 2; ++i)
     {
         for (label free = 0; free < 2; ++free)
@@ -152,10 +180,17 @@ Foam::cornerFlow::conditions(const scalar lambda) const
 }
 
 
+Foam::cornerFlow::number
+Foam::cornerFlow::determinant(const number lambda) const
+{
+    const state B(conditions(lambda));
+    return B[0]*B[3] - B[1]*B[2];
+}
+
+
 Foam::scalar Foam::cornerFlow::determinant(const scalar lambda) const
 {
-    const FixedList<scalar, 4> B(conditions(lambda));
-    return B[0]*B[3] - B[1]*B[2];
+    return determinant(number(lambda)).real();
 }
 
 
@@ -200,15 +235,35 @@ Foam::scalar Foam::cornerFlow::lowest(scalar a, scalar b) const
 }
 
 
+Foam::cornerFlow::number
+Foam::cornerFlow::complexZero(const number guess) const
+{
+    // Secants
+    number a = guess, b = guess + number(1e-3, 1e-3);
+    number fa = determinant(a), fb = determinant(b);
+    for (label i = 0; i < 40 && std::abs(b - a) > 1e-12 && fb != fa; ++i)
+    {
+        const number c = b - fb*(b - a)/(fb - fa);
+        a = b;
+        fa = fb;
+        b = c;
+        fb = determinant(b);
+    }
+    return b;
+}
+
+
 void Foam::cornerFlow::addMode
 (
-    const scalar lambda,
-    const FixedList<scalar, 2>& shares
+    const number lambda,
+    const FixedList<number, 2>& shares,
+    const bool imaginary
 )
 {
     const FixedList<List<state>, 2> coeffs(carried(lambda));
     mode m;
     m.lambda = lambda;
+    m.imaginary = imaginary;
     m.coeffs.setSize(sectors_.size());
     forAll(sectors_, k)
     {
@@ -225,36 +280,52 @@ void Foam::cornerFlow::addMode
 void Foam::cornerFlow::addMode(const scalar lambda)
 {
     // What B leaves least of: eigenvector of B'B
-    const FixedList<scalar, 4> B(conditions(lambda));
-    const scalar a = sqr(B[0]) + sqr(B[2]), b = B[0]*B[1] + B[2]*B[3];
-    const scalar c = sqr(B[1]) + sqr(B[3]);
+    const state B(conditions(lambda));
+    const scalar B0 = B[0].real(), B1 = B[1].real();
+    const scalar B2 = B[2].real(), B3 = B[3].real();
+    const scalar a = sqr(B0) + sqr(B2), b = B0*B1 + B2*B3;
+    const scalar c = sqr(B1) + sqr(B3);
     const scalar angle = 0.5*Foam::atan2(-2*b, c - a);
 
-    FixedList<scalar, 2> shares;
+    FixedList<number, 2> shares;
     shares[0] = Foam::cos(angle);
     shares[1] = Foam::sin(angle);
-    addMode(lambda, shares);
+    addMode(lambda, shares, false);
+}
+
+
+void Foam::cornerFlow::addComplexModes(const number lambda)
+{
+    const state B(conditions(lambda));
+    const label row =
+        std::abs(B[0]) + std::abs(B[1]) > std::abs(B[2]) + std::abs(B[3])
+      ? 0 : 2;
+    FixedList<number, 2> shares;
+    shares[0] = -B[row + 1];
+    shares[1] = B[row];
+    addMode(lambda, shares, false);
+    addMode(lambda, shares, true);
 }
 
 
 void Foam::cornerFlow::addPair(const scalar lambda)
 {
-    const FixedList<scalar, 4> here(conditions(lambda));
-    const FixedList<scalar, 4> beside(conditions(lambda + halfWidth));
+    const state here(conditions(lambda));
+    const state beside(conditions(lambda + halfWidth));
     scalar size = 0, sizeBeside = 0;
     for (label i = 0; i < 4; ++i)
     {
-        size += sqr(here[i]);
-        sizeBeside += sqr(beside[i]);
+        size += std::norm(here[i]);
+        sizeBeside += std::norm(beside[i]);
     }
 
     if (size < sqr(smallConditions)*sizeBeside)
     {
         for (label free = 0; free < 2; ++free)
         {
-            FixedList<scalar, 2> shares(scalar(0));
+            FixedList<number, 2> shares(number(0));
             shares[free] = 1;
-            addMode(lambda, shares);
+            addMode(lambda, shares, false);
         }
     }
     else
@@ -311,9 +382,25 @@ void Foam::cornerFlow::search()
                 const scalar h0 = lambda[i - 1] - l, h1 = lambda[i + 1] - l;
                 const scalar curvature =
                     ((det[i - 1] - d)/h0 - (det[i + 1] - d)/h1)/(h0 - h1);
-                if (d/curvature < sqr(largestImaginary))
+                const scalar square = d/curvature;
+                if (square < sqr(smallestImaginary))
                 {
                     addPair(l);
+                }
+                else if (square < sqr(largestImaginary))
+                {
+                    const number zero
+                    (
+                        complexZero(number(l, Foam::sqrt(square)))
+                    );
+                    if
+                    (
+                        zero.real() > lowestLambda
+                     && zero.real() < highestLambda
+                    )
+                    {
+                        addComplexModes(zero);
+                    }
                 }
             }
         }
@@ -364,23 +451,27 @@ void Foam::cornerFlow::evaluate
     const mode& m = modes_[modei];
     const scalar mu = sectors_[k].eta + sectors_[k].etaC;
     const scalar angle = theta - start(k);
-    const scalar l = m.lambda;
-    scalar F = 0, F1 = 0, F3 = 0;
+    const number plus = m.lambda + 1.0, minus = m.lambda - 1.0;
+    number F = 0, F1 = 0, F3 = 0;
 
     for (label i = 0; i < 4; ++i)
     {
-        const scalar a = i < 2 ? l + 1 : l - 1;
-        const scalar c = Foam::cos(a*angle), s = Foam::sin(a*angle);
-        const scalar f = i % 2 ? s : c, f1 = i % 2 ? a*c : -a*s;
-        F += m.coeffs[k][i]*f;
+        const number a = i < 2 ? plus : minus;
+        const number c = std::cos(a*angle), s = std::sin(a*angle);
+        const number f1 = i % 2 ? a*c : -a*s;
+        F += m.coeffs[k][i]*(i % 2 ? s : c);
         F1 += m.coeffs[k][i]*f1;
         F3 -= m.coeffs[k][i]*a*a*f1;
     }
 
-    const scalar power = Foam::pow(r, l);
-    ur = power*F1;
-    ut = -(l + 1)*power*F;
-    p = power/r*mu*(sqr(l + 1)*F1 + F3)/(l - 1);
+    const number power = std::exp(m.lambda*Foam::log(r));
+    auto part = [&](const number& z)
+    {
+        return m.imaginary ? z.imag() : z.real();
+    };
+    ur = part(power*F1);
+    ut = part(-plus*power*F);
+    p = part(power/r*mu*(plus*plus*F1 + F3)/minus);
 }
 
 

@@ -1,0 +1,92 @@
+"""The silo at rest: cases of the scenes of references.py, and their rate."""
+
+import re
+
+import numpy as np
+
+from cosserat.case import FILES
+
+#: Depth of the mesh [m]
+DEPTH = 0.1
+
+#: Lengths of the blocks of the tutorial's blockMeshDict
+BLOCKS = {"nWall": 0.25, "nAperture": 1, "nCorridor": 1, "nAbove": 1,
+          "nFloor": 2, "nBelow": 3.75, "nFill": 5}
+
+
+def mesh_entries(cells):
+    """Entries of blockMeshDict for a number of cells a unit length."""
+    return {key: max(round(length*cells), 1) for key, length in BLOCKS.items()}
+
+
+def reshape(case, silo, cells):
+    """Give a copy of the tutorial the slot of a scene, cells a unit length."""
+    case.substitute(FILES["mesh"], mesh_entries(cells) | {
+        "nAperture": round(silo.aperture*cells),
+        "nFloor": round((2.5 - silo.aperture/2)*cells),
+        "nBelow": round((4 - silo.floor)*cells)})
+    half = silo.aperture/2
+    path = case.path/FILES["mesh"]
+    # Coordinates of the slot, and cells across its floor
+    text = re.sub(r"\((-?)0\.5 ", rf"(\g<1>{half} ", path.read_text())
+    text = text.replace(" -0.25 $", f" {-silo.floor} $")
+    path.write_text(re.sub(r"(\(\$n\w+ )\$nWall 1\)",
+                           rf"\g<1>{round(silo.floor*cells)} 1)", text))
+
+
+def prepare(case, silo, cells, corners=True, tolerance=1e-8):
+    """Make a copy of the tutorial one solve of a scene, without dye; meshed."""
+    reshape(case, silo, cells)
+    case.substitute(FILES["control"], {
+        "endTime": 1e-9, "deltaT": 1e-9, "adjustTimeStep": "no",
+        "writeControl": "timeStep", "writeInterval": 1, "writePrecision": 12})
+    case.substitute(FILES["solution"], {"tolerance": tolerance})
+    if not corners:
+        path = case.path/FILES["solution"]
+        path.write_text(path.read_text().replace(
+            "tolerance", "corners         off;\n    tolerance", 1))
+
+    path = case.path/FILES["materials"]
+    text = path.read_text()
+    if silo.alpha == 0:
+        text = re.sub(r"etaC(\s+)1000;", r"etaC\g<1>0;", text)
+    text = re.sub(r"eta(\s+)1;", rf"eta\g<1>{silo.background};", text)
+    path.write_text(text)
+    case.substitute(FILES["materials"], {"alpha": repr(float(silo.alpha))})
+
+    path = case.path/FILES["points"]
+    text = re.sub(r"    dye\n    \(.*?\n    \);\n", "", path.read_text(),
+                  flags=re.S)
+    if silo.filled:
+        text = text.replace("        }\n    );", """        }
+        {
+            type        box;
+            material    granular;
+            min         (%s %s -1);
+            max         (%s 5 1);
+        }
+    );""" % (-silo.aperture/2, -silo.floor, silo.aperture/2), 1)
+    path.write_text(text)
+    case.substitute(FILES["points"], {"pointsPerCell": 4})
+
+    if silo.rough:
+        # A name prevails over the pattern
+        for name, entry in (("U", "type noSlip;"),
+                            ("omega", "type fixedValue; value uniform 0;")):
+            path = case.path/"0"/name
+            path.write_text(path.read_text().replace(
+                "boundaryField\n{",
+                f"boundaryField\n{{\n    siloWalls {{ {entry} }}", 1))
+    case.run("blockMesh")
+    return case
+
+
+def rate(case, aperture=1):
+    """Volume that leaves through the aperture, y = 0, in a time [m2/s], by the
+    fluxes of the last time."""
+    phi = case.field("phi")
+    corners = case.internal_faces()
+    middle, size = corners.mean(axis=1), np.ptp(corners, axis=1)
+    through = ((np.abs(middle[:, 1]) < 1e-9) & (size[:, 1] < 1e-9)
+               & (np.abs(middle[:, 0]) < aperture/2))
+    return float(np.abs(phi[through].sum())/DEPTH)
