@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from cosserat.analytic import (GravityChannel, Material, RigidShear,
-                               ShearLayer, granular_contact,
+from cosserat.analytic import (EccentricCylinders, GravityChannel, Material,
+                               RigidShear, ShearLayer, granular_contact,
                                wall_velocity_no_rotation)
 
 MATERIALS = [Material(1, 1, 0.3), Material(2, 0.5, 0.1), Material(1, 7, 0.4)]
@@ -111,3 +111,30 @@ def test_rigid_shear():
     assert np.allclose(exact.u(x, 0.5 + 0*x)[1], 0, atol=1e-12)
     flux = exact.u(x, y)*np.array([d(exact.density, i) for i in (0, 1)])
     assert np.allclose(flux.sum(axis=0), 0, atol=1e-5)
+
+
+def test_torque_of_eccentric_cylinders():
+    """On one axis the torque is 4 pi eta a^2 b^2/(b^2 - a^2); in a thin gap
+    c = b - a with e = x c it is that of Sommerfeld's journal bearing (1904),
+    4 pi eta a^3/c (1 + 2 x^2)/((2 + x^2) sqrt(1 - x^2)), up to c/a; and it is
+    the moment of the shear stress on any circle around the inner cylinder."""
+    assert np.isclose(EccentricCylinders(1, 2, 0).torque(3), 16*np.pi)
+
+    c, x = 2e-3, 0.5
+    thin = 4*np.pi/c*(1 + 2*x**2)/((2 + x**2)*np.sqrt(1 - x**2))
+    assert np.isclose(EccentricCylinders(1, 1 + c, x*c).torque(1), thin,
+                      rtol=2*c)
+
+    flow = EccentricCylinders(1, 2, 0.5)
+    angle = np.linspace(0, 2*np.pi, 200, endpoint=False)
+    direction = np.array([-np.sin(angle), np.cos(angle)])
+
+    def turning(r):
+        """u_angle/r on the circle of radius r."""
+        u = flow.u(0.5 + r*np.cos(angle), r*np.sin(angle))
+        return (u*direction).sum(axis=0)/r
+
+    # The derivative of u_r along the circle has no mean
+    stress = 1.2*(turning(1.2 + 1e-4) - turning(1.2 - 1e-4))/2e-4
+    moment = 2*np.pi*1.2**2*stress.mean()
+    assert np.isclose(-moment, flow.torque(1), rtol=1e-6)

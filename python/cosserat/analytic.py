@@ -200,6 +200,12 @@ class EccentricCylinders:
         return np.array([np.tensordot(self.constants, basis, 1)
                          for basis in self._basis(x, y)])
 
+    def torque(self, eta):
+        """Torque [N m per m of length] that turns the inner cylinder. Of all
+        terms only psi = C log r has one about the axis r = 0: its shear
+        stress is 2 eta C/r^2, and the fluid's torque 2 pi r^2 times that."""
+        return -4*np.pi*eta*self.constants[1]
+
 
 class SolCx:
     """Cell driven by a smooth force across a jump of the viscosity at x = 0
