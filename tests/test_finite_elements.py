@@ -1,0 +1,178 @@
+"""The finite elements against analytic solutions, and against themselves."""
+
+import numpy as np
+import pytest
+
+from cosserat.analytic import (
+    AnnularCouette, GravityChannel, Material, ShearLayer, SolCx)
+from finiteElements import Flow, Mesh, Wall, between, graded_lines, lines
+
+MATERIAL = Material(1.0, 2.0, 0.2)
+
+
+def at_walls(_x, y):
+    """Sides of a layer -1/2 < y < 1/2."""
+    return np.abs(np.abs(y) - 0.5) < 1e-9
+
+
+def anywhere(x, y):
+    """All sides."""
+    return x + y < np.inf
+
+
+def layer(walls, moduli=(1, 1, 1), **entries):
+    """Periodic layer of the material with factors to its moduli."""
+    mesh = Mesh.tensor(np.linspace(0, 1, 4), np.linspace(-0.5, 0.5, 9),
+                       periodic=(1, 0))
+    m = MATERIAL
+    eta, etaC, M = np.array([m.eta, m.etaC, m.M])*moduli
+    return Flow(mesh, 4, eta, etaC, M, walls=[walls], **entries)
+
+
+def layer_error(flow, exact):
+    """Largest errors of u and omega, relative."""
+    y = flow.xy[:, 1]
+    u, omega = exact.u(y), exact.omega(y)
+    return max(np.abs(flow.u[:, 0] - u).max()/np.abs(u).max(),
+               np.abs(flow.omega - omega).max()/np.abs(omega).max())
+
+
+@pytest.mark.parametrize("moduli", [(1, 1, 1), (1.01, 1, 1), (1, 1.01, 1),
+                                    (1, 1, 1.01)])
+def test_layers(moduli):
+    """Channel, and layers of given omega and of given couple, to 1e-6; one
+    per cent of any modulus spoils it."""
+    def top(_x, y):
+        return np.sign(y)
+
+    cases = [
+        (GravityChannel(MATERIAL, 1, 3.0),
+         layer(Wall(at_walls, u=(0, 0), omega=0), moduli, force=(3.0, 0))),
+        (ShearLayer(MATERIAL, 1, V=1, Omega=-0.2),
+         layer(Wall(at_walls, u=(top, 0), omega=-0.2), moduli)),
+        (ShearLayer(MATERIAL, 1, V=1, mu=0.1),
+         layer(Wall(at_walls, u=(top, 0), couple=0.1), moduli))]
+    for exact, flow in cases:
+        error = layer_error(flow, exact)
+        assert (error < 1e-6) == (moduli == (1, 1, 1)), error
+        assert flow.power() == pytest.approx(flow.dissipation(), rel=1e-9)
+
+
+def test_layer_of_given_traction():
+    """Traction at the upper wall."""
+    flow = layer(Wall(lambda x, y: y < -0.49, u=(0, 0), omega=0))
+    assert not flow.closed
+    flow = Flow(flow.mesh, 4, MATERIAL.eta, MATERIAL.etaC, MATERIAL.M, walls=[
+        Wall(lambda x, y: y < -0.49, u=(0, 0), omega=0),
+        Wall(lambda x, y: y > 0.49, omega=0, traction=(1, 0))])
+    exact = ShearLayer(MATERIAL, 1, sigma=1, Omega=0)
+    y = flow.xy[:, 1]
+    assert flow.u[:, 0] == pytest.approx(exact.u(y) - exact.u(-0.5), abs=1e-6)
+    force, _ = flow.wall_load(lambda x, y: y < -0.49)
+    assert force == pytest.approx([-1, 0], abs=1e-9)
+
+
+def circle(r):
+    """Curve of angle."""
+    return lambda s: (r*np.cos(s), r*np.sin(s))
+
+
+def test_annulus():
+    """Turning cylinders: order of the elements, on curved sides."""
+    exact = AnnularCouette(MATERIAL, (1, 2), (1, -0.3), (0.2, 0))
+    walls = [
+        Wall(lambda x, y: np.hypot(x, y) < 1.1, u=lambda x, y: (-y, x),
+             omega=0.2),
+        Wall(lambda x, y: np.hypot(x, y) > 1.9,
+             u=lambda x, y: (0.15*y, -0.15*x), omega=0)]
+    errors = []
+    for n in (2, 4):
+        mesh = Mesh([(np.linspace(0, 2*np.pi, 4*n + 1),
+                      np.linspace(0, 1, n + 1),
+                      between(circle(2), circle(1)))])
+        m = MATERIAL
+        flow = Flow(mesh, 3, m.eta, m.etaC, m.M, walls=walls)
+        r = np.hypot(*flow.xy.T)
+        u = (flow.xy[:, 0]*flow.u[:, 1] - flow.xy[:, 1]*flow.u[:, 0])/r
+        errors.append([np.abs(u - exact.u(r)).max(),
+                       np.abs(flow.omega - exact.omega(r)).max()])
+    assert np.log2(errors[0])[0] - np.log2(errors[1])[0] > 3.5
+    assert max(errors[1]) < 2e-4
+
+
+def test_curved_free_slip():
+    """Rigid rotation between cylinders of free slip is kept by a wall that
+    gives omega alone; all else rests."""
+    mesh = Mesh([(np.linspace(0, 2*np.pi, 13), np.linspace(0, 1, 3),
+                  between(circle(2), circle(1)))])
+    m = MATERIAL
+    flow = Flow(mesh, 3, m.eta, m.etaC, m.M, walls=[
+        Wall(anywhere, normal=0), Wall(anywhere, omega=0.7)])
+    x, y = flow.xy.T
+    assert flow.u[:, 0] == pytest.approx(-0.7*y, abs=2e-2)
+    assert flow.u[:, 1] == pytest.approx(0.7*x, abs=2e-2)
+    assert flow.dissipation() < 1e-3
+
+
+def turned_corner(angle, graded):
+    """Flow around the corner of an L with free slip, turned by an angle."""
+    c, s = np.cos(angle), np.sin(angle)
+    x = lines([-1, 0, 1], 0.5)
+    mesh = Mesh([(x, x, lambda x, y: (c*x - s*y, s*x + c*y))],
+                keep=lambda x, y: (c*x + s*y < 0) | (c*y - s*x > 0))
+    if graded:
+        mesh.grade([(0, 0)], 1e-6)
+    flow = Flow(mesh, 3, 1.0, 2.0, 0.1, walls=[
+        Wall(anywhere, normal=0)],
+        smooth=lambda x, y: (-s*(c*x + s*y), c*(c*x + s*y)))
+    return flow.flux((-c/2, -s/2), (-c, -s))
+
+
+def test_slanted_free_slip():
+    """The same flow whatever way the scene is turned; graded or not it is
+    not."""
+    plain = turned_corner(0.0, True)
+    assert abs(plain) > 1e-3
+    assert turned_corner(0.4, True) == pytest.approx(plain, rel=1e-7)
+    assert turned_corner(2.1, True) == pytest.approx(plain, rel=1e-7)
+    assert abs(turned_corner(0.4, False)/plain - 1) > 1e-3
+
+
+def test_jump_of_viscosity():
+    """SolCx with a jump of 1e6: order of u, and the jump of p."""
+    exact = SolCx((1.0, 1e6))
+    errors = []
+    for n in (4, 8):
+        x = np.linspace(-0.5, 0.5, n + 1)
+        flow = Flow(Mesh.tensor(x, x), 3,
+                    eta=lambda x, y: np.where(x < 0, 1.0, 1e6),
+                    smooth=lambda x, y: tuple(exact.force(x, y)),
+                    walls=[Wall(anywhere, normal=0)])
+        u = exact.u(*flow.xy.T).T
+        errors.append(np.sqrt(np.mean((flow.u - u)**2))/np.abs(u).max())
+    assert np.log2(errors[0]/errors[1]) > 3.3
+    assert (flow.at(0.2, 0.3)[3] - flow.at(-0.2, -0.1)[3] == pytest.approx(
+        float(exact.p(0.2, 0.3) - exact.p(-0.2, -0.1)), rel=2e-3))
+
+
+def test_omega_only_where_it_is():
+    """No couple across to a medium without etaC; its omega is no number."""
+    x = lines([-0.5, 0, 0.5], 0.25)
+    flow = Flow(Mesh.tensor(x, x), 3, 1.0,
+                etaC=lambda x, y: np.where(y < 0, 1.0, 0.0),
+                M=lambda x, y: np.where(y < 0, 0.1, 0.0),
+                walls=[Wall(at_walls, u=(lambda x, y: 2*y, 0)),
+                       Wall(lambda x, y: np.abs(x) > 0.49,
+                            u=(lambda x, y: 2*y, 0))])
+    # Simple shear with s = 0
+    assert flow.at(0.1, -0.2)[2] == pytest.approx(-1, abs=1e-9)
+    assert np.isnan(flow.at(0.1, 0.2)[2])
+    assert np.isnan(flow.omega[flow.xy[:, 1] > 0.01]).all()
+
+
+def test_graded_lines():
+    """Distances fall towards the points, and only there."""
+    x = graded_lines([0, 1, 2], 0.5, [1], 1e-3)
+    assert np.diff(x).min() < 1e-3 < 0.3**-1*np.diff(x).min()
+    assert {0.0, 0.5, 1.0, 1.5, 2.0} <= set(x)
+    assert np.diff(x)[0] == 0.5
