@@ -203,7 +203,7 @@ def test_other_internal_length(difference, name):
 
 @pytest.mark.parametrize("eta, fails", [(1, False), (1.01, True)])
 def test_fall_of_the_inclusion(tutorial, eta, fails):
-    """The tutorial to its end: measured 8.3 % less than the elements have, for
+    """The tutorial to its end: measured 8.2 % less than the elements have, for
     its stiff disc is too large by part of the cells that its edge cuts; one
     per cent of the matrix' viscosity shows."""
     case = tutorial("sinkingInclusion")
