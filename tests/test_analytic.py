@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from cosserat.analytic import (AnnularCouette, EccentricCylinders,
-                               GravityChannel, Material, RigidShear, ShearLayer, granular_contact,
+                               GravityChannel, Material, RigidShear,
+                               ShearLayer, granular_contact,
                                wall_velocity_no_rotation)
 
 MATERIALS = [Material(1, 1, 0.3), Material(2, 0.5, 0.1), Material(1, 7, 0.4)]
