@@ -275,8 +275,8 @@ def silo(fine, alpha=2/3, etaC=1000.0):
 
 
 SCENES = {"template": block, "columnSlump": column, "dune": dune,
-          "sinkingInclusion": disc, "fall": disc_fall, "cavity": cavity, "hopper": hopper,
-          "silo": silo}
+          "sinkingInclusion": disc, "fall": disc_fall, "cavity": cavity,
+          "hopper": hopper, "silo": silo}
 
 
 def main(names):
