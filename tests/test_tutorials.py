@@ -259,11 +259,13 @@ def test_Allrun_shows_the_error(tmp_path):
 @pytest.mark.parametrize("case", sorted(
     d.name for d in TUTORIALS.iterdir() if (d/"system").is_dir()))
 def test_tutorial_is_whole(case):
-    """Page, scripts that can be run, and every picture that the page shows."""
+    """Page, scripts that can be run, every picture that the page shows, and a
+    number beside one that this code did not compute."""
     folder = TUTORIALS/case
     for name in ("Allrun", "Allrun-parallel", "Allclean"):
         assert os.access(folder/name, os.X_OK), name
     page = (folder/"README.md").read_text()
+    assert "\nNumber and reference: " in page
     for picture in re.findall(r"\]\((\w+\.png)\)", page):
         assert (folder/picture).exists(), picture
 

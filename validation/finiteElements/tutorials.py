@@ -250,9 +250,8 @@ def hopper(fine, etaC=1000.0, R=0.05):
     return flow.dissipation()/0.05
 
 
-def silo(fine, alpha=2/3, etaC=1000.0):
-    """Tutorial silo: flow rate [m2/s] through the aperture at the start, of
-    both halves. At (0.5, 0), where the surface of the fill meets free-slip
+def silo_flow(fine, alpha=2/3, etaC=1000.0):
+    """Tutorial silo at the start, its right half. At (0.5, 0), where the surface of the fill meets free-slip
     walls, velocities go with the 0.013th power of the distance; hence rings
     that shrink to 1e-100."""
     size = 0.25 if fine else 0.5
@@ -267,16 +266,43 @@ def silo(fine, alpha=2/3, etaC=1000.0):
     # Lines in the middle of the walls: a cell touches one corner
     mesh.grade([(0.5, 0), (2.5, 5)], 1e-100)
     mesh.grade([(0.5, -0.25), (2.75, -0.25), (2.75, 5)], 1e-12)
-    flow = two_materials(
+    return two_materials(
         mesh, 4 if fine else 3, lambda x, y: (x < 2.5) & (y > 0) & (y < 5),
         (1000.0, etaC, alpha), (1.0, 0.0, 0.0), (0, -1e7),
         [Wall(lambda x, y: x < np.inf, normal=0), mirror(at(x=0))])
-    return 2*flow.flux((0, 0), (0.5, 0))
+
+
+def silo(fine, **material):
+    """Tutorial silo: flow rate [m2/s] through the aperture at the start, of
+    both halves."""
+    return 2*silo_flow(fine, **material).flux((0, 0), (0.5, 0))
+
+
+def overturn_flow(fine):
+    """Tutorial rayleighTaylor at the start; the cells follow the interface."""
+    width = 0.9142
+    s = np.linspace(0, width, 9)
+
+    def level(height, wave=0.0):
+        return lambda s: (s, height + wave*np.cos(np.pi*s/width))
+
+    surface = level(0.2, 0.02)
+    mesh = Mesh([(s, lines([0, 1], 0.34), between(level(0), surface)),
+                 (s, lines([0, 1], 0.17), between(surface, level(1)))])
+    return two_materials(
+        mesh, 4 if fine else 3, lambda x, y: y > surface(x)[1],
+        (1.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0, -1.0),
+        [slip(at(x=0), at(x=width)), rest(at(y=0), at(y=1))])
+
+
+def overturn(fine):
+    """Tutorial rayleighTaylor: power [W/m] of the weight at the start."""
+    return overturn_flow(fine).power()
 
 
 SCENES = {"template": block, "columnSlump": column, "dune": dune,
           "sinkingInclusion": disc, "fall": disc_fall, "cavity": cavity,
-          "hopper": hopper, "silo": silo}
+          "hopper": hopper, "silo": silo, "rayleighTaylor": overturn}
 
 
 def main(names):
