@@ -1,5 +1,5 @@
 """The tutorials, on the meshes that they are shipped with, against numbers
-that this code did not compute (cosserat.tutorialReferences).
+that this code did not compute (cosserat.references).
 
 A tolerance is the difference measured and a tenth of it, 0.4 % at most; tests
 show that one per cent of a modulus, the way that makes it worse, breaks it, and
@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from cosserat.case import Case, FILES, TUTORIALS, parse_list
-from cosserat.tutorialReferences import DEPTH, REFERENCES
+from cosserat.references import DEPTH, TUTORIALS as REFERENCES
 from finiteElements import tutorials as elements
 
 ONE_STEP = {"endTime": 1e-8, "deltaT": 1e-8, "adjustTimeStep": "no",

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from cosserat.analytic import AnnularCouette, EccentricCylinders, Material
+
 
 @dataclass(frozen=True)
 class Reference:
@@ -137,3 +139,49 @@ RELATIVES = _relatives([
     ("plate 1/8, slip, Cosserat", "flux", 0.017470, 2e-6),
     ("plate 1/8, no slip, Cosserat", "flux", 0.0153465, 5e-7),
 ])
+
+DEPTH = 0.1
+
+_GRAINS = Material(1000, 1000, 0.2)
+_ROUND = "analytic, cosserat.analytic.EccentricCylinders"
+_TUTORIALS = "finite elements: validation/finiteElements/tutorials.py"
+
+#: Numbers of the tutorials, by tutorial or "tutorial, variant". Powers are of
+#: the meshes as they are, of the depth DEPTH [m]; uncertainties of finite
+#: elements are the difference of two meshes, rounded up
+TUTORIALS = {
+    # Power of the inner cylinder
+    "annularCouette": Reference(
+        DEPTH*AnnularCouette(_GRAINS, (1, 2), (1, 0), (1, 0)).torque,
+        "W", 1e-9, "analytic, cosserat.analytic.AnnularCouette"),
+    "eccentricCylinders": Reference(
+        DEPTH*EccentricCylinders(1, 2, 0.5, material=_GRAINS).torque(1000),
+        "W", 1e-6, _ROUND),
+    "eccentricCylinders, classical": Reference(
+        DEPTH*EccentricCylinders(1, 2, 0.5).torque(1000),
+        "W", 1e-6, _ROUND),
+    # Stream function of the vortex, in the middle between the walls
+    "cavity": Reference(-0.112257, "m2/s", 1e-6, _TUTORIALS),
+    "cavity, classical": Reference(
+        -0.100076, "m2/s", 1e-6,
+        "Sahin, Owens (2003), Int. J. Numer. Meth. Fluids 42, 57"),
+    # Power of the weight at the start
+    "template": Reference(1132.47, "W", 0.01, _TUTORIALS),
+    "columnSlump": Reference(26.8515, "W", 0.001, _TUTORIALS),
+    "columnSlump, R 0.5": Reference(25.2293, "W", 0.001, _TUTORIALS),
+    "dune": Reference(26.0314, "W", 0.0001, _TUTORIALS),
+    "dune, R 0.02": Reference(31.524, "W", 0.002, _TUTORIALS),
+    # Mean speed of the disc at the start
+    "sinkingInclusion": Reference(2.77508e-3, "m/s", 4e-7, _TUTORIALS),
+    "sinkingInclusion, classical": Reference(3.18770e-3, "m/s", 1e-7,
+                                             _TUTORIALS),
+    # Fall in 90 s of a disc that stays round
+    "sinkingInclusion, fall": Reference(0.26458, "m", 1e-3, _TUTORIALS),
+    # Mean pressure of the feed beside that of the weight, at the start
+    "hopper": Reference(24099.6, "Pa", 0.5, _TUTORIALS),
+    "hopper, R 0.5": Reference(33271.0, "Pa", 1.0, _TUTORIALS),
+    # Flow rate through the aperture at the start
+    "silo": SILO["start, 2/3"],
+    "silo, classical": SILO["start, 0"],
+}
+TUTORIALS["schemes"] = TUTORIALS["template"]

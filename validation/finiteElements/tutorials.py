@@ -1,5 +1,5 @@
 """The tutorials at their start by finite elements: the numbers of
-cosserat.tutorialReferences that nobody has published.
+cosserat.references that nobody has published.
 
     cd validation; python3 -m finiteElements.tutorials [NAME ...]
 
@@ -14,8 +14,10 @@ import numpy as np
 
 from cosserat.analytic import granular_contact
 from cosserat.case import TUTORIALS
+from cosserat.references import SILO_SCENES
 from finiteElements.flow import Flow, Wall
 from finiteElements.mesh import Mesh, between, lines
+from finiteElements.silo import silo_rate
 
 NEAR = 1e-6
 
@@ -250,32 +252,10 @@ def hopper(fine, etaC=1000.0, R=0.05):
     return flow.dissipation()/0.05
 
 
-def silo_flow(fine, alpha=2/3, etaC=1000.0):
-    """Tutorial silo at the start, its right half. At (0.5, 0), where the surface of the fill meets free-slip
-    walls, velocities go with the 0.013th power of the distance; hence rings
-    that shrink to 1e-100."""
-    size = 0.25 if fine else 0.5
-
-    def open_(x, y):
-        below = (y > -0.25) & (y < 0) & (x > 0.5) & (x < 2.75)
-        beside = (y > 0) & (y < 5) & (x > 2.5) & (x < 2.75)
-        return ~(below | beside)
-
-    mesh = Mesh.tensor(lines([0, 0.5, 2.5, 2.625, 2.75, 3.75], size),
-                       lines([-4, -0.25, -0.125, 0, 5, 6], size), keep=open_)
-    # Lines in the middle of the walls: a cell touches one corner
-    mesh.grade([(0.5, 0), (2.5, 5)], 1e-100)
-    mesh.grade([(0.5, -0.25), (2.75, -0.25), (2.75, 5)], 1e-12)
-    return two_materials(
-        mesh, 4 if fine else 3, lambda x, y: (x < 2.5) & (y > 0) & (y < 5),
-        (1000.0, etaC, alpha), (1.0, 0.0, 0.0), (0, -1e7),
-        [Wall(lambda x, y: x < np.inf, normal=0), mirror(at(x=0))])
-
-
-def silo(fine, **material):
-    """Tutorial silo: flow rate [m2/s] through the aperture at the start, of
-    both halves."""
-    return 2*silo_flow(fine, **material).flux((0, 0), (0.5, 0))
+def silo(fine):
+    """Tutorial silo: flow rate [m2/s] through the aperture at the start."""
+    return silo_rate(SILO_SCENES["start, 2/3"], 4 if fine else 3,
+                     contact=1e-100)
 
 
 def overturn_flow(fine):
