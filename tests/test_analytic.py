@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from cosserat.analytic import (GravityChannel, Material, RigidShear,
+from cosserat.analytic import (AnnularCouette, EccentricCylinders,
+                               GravityChannel, Material, RigidShear,
                                ShearLayer, granular_contact,
                                wall_velocity_no_rotation)
 
@@ -111,3 +112,67 @@ def test_rigid_shear():
     assert np.allclose(exact.u(x, 0.5 + 0*x)[1], 0, atol=1e-12)
     flux = exact.u(x, y)*np.array([d(exact.density, i) for i in (0, 1)])
     assert np.allclose(flux.sum(axis=0), 0, atol=1e-5)
+
+
+def test_torque_of_eccentric_cylinders():
+    """On one axis the torque is 4 pi eta a^2 b^2/(b^2 - a^2); in a thin gap
+    c = b - a with e = x c it is that of Sommerfeld's journal bearing (1904),
+    4 pi eta a^3/c (1 + 2 x^2)/((2 + x^2) sqrt(1 - x^2)), up to c/a; and it is
+    the moment of the shear stress on any circle around the inner cylinder."""
+    assert np.isclose(EccentricCylinders(1, 2, 0).torque(3), 16*np.pi)
+
+    c, x = 2e-3, 0.5
+    thin = 4*np.pi/c*(1 + 2*x**2)/((2 + x**2)*np.sqrt(1 - x**2))
+    assert np.isclose(EccentricCylinders(1, 1 + c, x*c).torque(1), thin,
+                      rtol=2*c)
+
+    flow = EccentricCylinders(1, 2, 0.5)
+    angle = np.linspace(0, 2*np.pi, 200, endpoint=False)
+    direction = np.array([-np.sin(angle), np.cos(angle)])
+
+    def turning(r):
+        """u_angle/r on the circle of radius r."""
+        u = flow.u(0.5 + r*np.cos(angle), r*np.sin(angle))
+        return (u*direction).sum(axis=0)/r
+
+    # The derivative of u_r along the circle has no mean
+    stress = 1.2*(turning(1.2 + 1e-4) - turning(1.2 - 1e-4))/2e-4
+    moment = 2*np.pi*1.2**2*stress.mean()
+    assert np.isclose(-moment, flow.torque(1), rtol=1e-6)
+
+
+def laplacian(f, x, y, h):
+    """By the five points at a distance h."""
+    return (f(x + h, y) + f(x - h, y) + f(x, y + h) + f(x, y - h)
+            - 4*f(x, y))/h**2
+
+
+def test_eccentric_cylinders_with_microrotation():
+    """On one axis the annular Couette flow; beside it the walls are met and
+    both balances hold: M div grad omega = 4 etaC omega - 2 etaC curl u, and
+    (eta + etaC) curl u - 2 etaC omega is harmonic."""
+    m = Material(2, 3, 0.3)
+    x = np.linspace(1, 2, 9)
+    ring = AnnularCouette(m, (1, 2), (1, 0), (1, 0))
+    flow = EccentricCylinders(1, 2, 0, material=m)
+    assert np.allclose(flow.u(x, 0*x)[1], ring.u(x), atol=1e-10)
+    assert np.allclose(flow.omega(x, 0*x), ring.omega(x), atol=1e-10)
+    assert np.isclose(flow.torque(m.eta), ring.torque, rtol=1e-9)
+
+    flow, h = EccentricCylinders(1, 2, 0.5, material=m), 2e-3
+    assert flow.residual < 1e-10
+
+    def curl(x, y):
+        return (flow.u(x + h, y)[1] - flow.u(x - h, y)[1]
+                - flow.u(x, y + h)[0] + flow.u(x, y - h)[0])/(2*h)
+
+    def harmonic(x, y):
+        return (m.eta + m.etaC)*curl(x, y) - 2*m.etaC*flow.omega(x, y)
+
+    x, y = np.array([-1.2, 0.3, 1.7]), np.array([0.4, 1.4, -0.2])
+    couple = 4*m.etaC*flow.omega(x, y)
+    assert np.allclose(m.M*laplacian(flow.omega, x, y, h),
+                       couple - 2*m.etaC*curl(x, y),
+                       atol=1e-5*np.abs(couple).max())
+    assert np.abs(laplacian(harmonic, x, y, 0.02)).max() < 1e-3*np.abs(
+        laplacian(curl, x, y, 0.02)).max()

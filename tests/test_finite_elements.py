@@ -5,7 +5,11 @@ import pytest
 
 from cosserat.analytic import (
     AnnularCouette, GravityChannel, Material, ShearLayer, SolCx)
+from cosserat.references import RELATIVES, SILO, SILO_SCENES, Silo
+from cosserat.relatives import SCENES, RelativeCase, measure
 from finiteElements import Flow, Mesh, Wall, between, graded_lines, lines
+from finiteElements.relatives import relative_values
+from finiteElements.silo import silo_rate
 
 MATERIAL = Material(1.0, 2.0, 0.2)
 
@@ -176,3 +180,41 @@ def test_graded_lines():
     assert np.diff(x).min() < 1e-3 < 0.3**-1*np.diff(x).min()
     assert {0.0, 0.5, 1.0, 1.5, 2.0} <= set(x)
     assert np.diff(x)[0] == 0.5
+
+
+@pytest.mark.parametrize("name", ["start, 0", "start, 2/3",
+                                  "one viscosity, 2/3"])
+def test_silo(name):
+    """Elements of third degree have the reference flow rates to half a per
+    cent, without the innermost rings of the contact."""
+    rate = silo_rate(SILO_SCENES[name], 3, contact=1e-40)
+    assert rate == pytest.approx(SILO[name].value, rel=5e-3)
+
+
+def test_viscosity_of_the_silo_tells(monkeypatch):
+    """One per cent of it spoils the flow rate."""
+    monkeypatch.setattr(Silo, "ETA", 1.01*Silo.ETA)
+    rate = silo_rate(SILO_SCENES["start, 0"], 3, contact=1e-40)
+    assert rate != pytest.approx(SILO["start, 0"].value, rel=5e-3)
+
+
+@pytest.mark.parametrize("name", ["slip starts", "inlet, Cosserat",
+                                  "plate 1/8, slip", "rotation held"])
+def test_relatives(name):
+    """Elements of third degree have the other reference numbers."""
+    for quantity, value in relative_values(SCENES[name], degree=3,
+                                           smallest=1e-8).items():
+        assert value == pytest.approx(RELATIVES[name, quantity].value,
+                                      rel=2e-3)
+
+
+@pytest.mark.parametrize("name", ["slip starts", "column, no slip"])
+def test_solver_tends_to_the_references(tmp_path, name):
+    """The flow solver's error falls with the cells."""
+    errors = []
+    for cells in (8, 32):
+        case = RelativeCase(tmp_path/f"{cells}", SCENES[name], cells).write()
+        case.run("cosseratPicFoam")
+        value = measure(case, SCENES[name], cells)["flux"]
+        errors.append(abs(value/RELATIVES[name, "flux"].value - 1))
+    assert errors[1] < 0.5*errors[0] < 0.1

@@ -49,8 +49,8 @@ def test_annular_couette(tutorial):
 
 
 def test_annular_couette_can_fail(tutorial):
-    """Two per cent of the internal length show on the fine mesh."""
-    assert annulus(tutorial, 32, materials={"R": 0.206})[1] > 1.5*1.7e-3
+    """One per cent of the internal length shows on the fine mesh."""
+    assert annulus(tutorial, 32, materials={"R": 0.202})[1] > 4*1.7e-3
 
 
 def cavity(tutorial, target, n=64, **materials):
@@ -112,16 +112,29 @@ def test_sinking_inclusion(tutorial):
     assert 0.65 - case.centroid(1)[1] == pytest.approx(0.0754, abs=2e-4)
 
 
-def test_rayleigh_taylor(tutorial):
-    """First peak of v_rms on 32 x 32 cells: 3.09e-3 at 209 by the benchmark;
-    measured 3.070e-3 at 211 on this mesh."""
+def overturn(tutorial, **materials):
+    """First peak of v_rms [m/s] and its time [s] on 32 x 32 cells."""
     case = tutorial("rayleighTaylor", mesh={"n": 32},
-                    control={"endTime": 230})
+                    control={"endTime": 230}, materials=materials)
     case.run("cosseratPicFoam")
     rows = case.table("vrms", "volFieldValue.dat")
     speed = np.sqrt(rows[:, 1])
-    assert speed.max() == pytest.approx(3.09e-3, rel=7e-3)
-    assert rows[speed.argmax(), 0] == pytest.approx(209, abs=2.5)
+    return speed.max(), rows[speed.argmax(), 0]
+
+
+def test_rayleigh_taylor(tutorial):
+    """First peak of v_rms: 3.09e-3 at 209 by the benchmark; measured 3.070e-3
+    at 211 on this mesh."""
+    peak, time = overturn(tutorial)
+    assert peak == pytest.approx(3.09e-3, rel=7e-3)
+    assert time == pytest.approx(209, abs=2.5)
+
+
+def test_rayleigh_taylor_can_fail(tutorial):
+    """One per cent of the viscosity shows in both."""
+    peak, time = overturn(tutorial, eta=1.01)
+    assert peak < 3.09e-3*(1 - 1.4e-2)
+    assert time > 209 + 4
 
 
 def slump(tutorial, target, **materials):
@@ -246,11 +259,13 @@ def test_Allrun_shows_the_error(tmp_path):
 @pytest.mark.parametrize("case", sorted(
     d.name for d in TUTORIALS.iterdir() if (d/"system").is_dir()))
 def test_tutorial_is_whole(case):
-    """Page, scripts that can be run, and every picture that the page shows."""
+    """Page, scripts that can be run, every picture that the page shows, and a
+    number beside one that this code did not compute."""
     folder = TUTORIALS/case
     for name in ("Allrun", "Allrun-parallel", "Allclean"):
         assert os.access(folder/name, os.X_OK), name
     page = (folder/"README.md").read_text()
+    assert "\nNumber and reference: " in page
     for picture in re.findall(r"\]\((\w+\.png)\)", page):
         assert (folder/picture).exists(), picture
 

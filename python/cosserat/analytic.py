@@ -149,56 +149,115 @@ class AnnularCouette:
         """Microrotation [1/s]."""
         return np.tensordot(self.constants, self._omega(np.asarray(r)), 1)
 
+    @property
+    def torque(self):
+        """Torque [N m per m of length] that turns the inner cylinder, of
+        stress and couple stress together: that of u = C/r, 4 pi eta C."""
+        return 4*np.pi*self.material.eta*self.constants[1]
+
 
 class EccentricCylinders:
-    """Classical fluid between cylinders of radii a < b, the inner one around
-    (e, 0) turning with unit angular velocity, the outer one around the origin
-    at rest.
+    """Fluid between cylinders of radii a < b, the inner one around (e, 0)
+    turning with unit angular velocity, the outer one around the origin at
+    rest; classical, or of a Material whose microrotation omega is 1 on the
+    inner cylinder and 0 on the outer one.
 
-    The stream function is the general solution of the biharmonic equation in
-    polar coordinates around the inner axis (Michell 1899), even in the angle
-    and with a single-valued pressure; its coefficients satisfy the walls in
+    The curl of the linear balance and the moment balance together give
+
+        psi = B - 2 etaC delta^2/(eta + etaC) H,    omega = H - div grad B/2
+
+    with B biharmonic, H = delta^2 div grad H and the delta of Material. B is
+    the general solution in polar coordinates around the inner axis (Michell
+    1899), even in the angle and with a single-valued pressure; H is
+    K_n(r/delta) cos(n angle) around the inner axis and I_n(r/delta)
+    cos(n angle) around the outer one. Their coefficients satisfy the walls in
     the sense of least squares, which converges as (e/b)^terms.
     """
 
-    def __init__(self, a, b, e, terms=24):
+    def __init__(self, a, b, e, terms=24, material=None):
         self.a, self.b, self.e, self.terms = a, b, e, terms
+        self.material = material
         angle = np.linspace(0, 2*np.pi, 8*terms, endpoint=False)
         x = np.concatenate([e + a*np.cos(angle), b*np.cos(angle)])
         y = np.concatenate([a*np.sin(angle), b*np.sin(angle)])
         wall = np.concatenate([np.ones(len(angle)), np.zeros(len(angle))])
-        rows = np.concatenate(self._basis(x, y), axis=1).T
-        given = np.concatenate([-y*wall, (x - e)*wall])
+        fields, given = self._basis(x, y), [-y*wall, (x - e)*wall, wall]
+        if material is None:
+            fields, given = fields[:2], given[:2]
+        rows, given = np.concatenate(fields, axis=1).T, np.concatenate(given)
         self.constants, *_ = np.linalg.lstsq(rows, given, rcond=None)
         self.residual = np.abs(rows @ self.constants - given).max()
 
     def _basis(self, x, y):
-        """Velocities along x and y of each term of the stream function."""
-        r, angle = np.hypot(x - self.e, y), np.arctan2(y, x - self.e)
-        u_r, u_t = [], []
+        """Velocities along x and y and microrotation of each term; f(r)
+        cos(n angle) as stream function has u_r = -n f/r sin(n angle) and
+        u_angle = -df/dr cos(n angle)."""
+        terms = []
 
-        def term(n, f, df):
-            # psi = f(r) cos(n angle): u_r = psi,angle/r, u_angle = -psi,r
-            u_r.append(-n*f/r*np.sin(n*angle))
-            u_t.append(-df*np.cos(n*angle))
+        def term(n, f, df, omega, centre=self.e):
+            angle, r = np.arctan2(y, x - centre), np.hypot(x - centre, y)
+            f, df, omega = f(r), df(r), omega(r)*np.cos(n*angle)
+            u_r, u_t = -n*f/r*np.sin(n*angle), -df*np.cos(n*angle)
+            terms.append((u_r*np.cos(angle) - u_t*np.sin(angle),
+                          u_r*np.sin(angle) + u_t*np.cos(angle), omega))
 
-        term(0, r**2, 2*r)
-        term(0, np.log(r), 1/r)
-        term(1, r*np.log(r), np.log(r) + 1)
+        def power(n, k, s):
+            # Scaled to the wall where it is largest
+            term(n, lambda r: (r/s)**k, lambda r: k/s*(r/s)**(k - 1),
+                 lambda r: (n**2 - k**2)/(2*s**2)*(r/s)**(k - 2))
+
+        term(0, np.log, lambda r: 1/r, lambda r: 0*r)
+        power(0, 2, 1)
+        term(1, lambda r: r*np.log(r), lambda r: np.log(r) + 1,
+             lambda r: -1/r)
         for n in range(1, self.terms):
-            # Powers scaled to the wall where they are largest
             for k, s in ((n, self.b), (n + 2, self.b), (-n, self.a),
                          (2 - n, self.a)):
                 if (n, k) != (1, 1) or s == self.b:
-                    term(n, (r/s)**k, k/s*(r/s)**(k - 1))
-        u_r, u_t = np.array(u_r), np.array(u_t)
-        return (u_r*np.cos(angle) - u_t*np.sin(angle),
-                u_r*np.sin(angle) + u_t*np.cos(angle))
+                    power(n, k, s)
+        if self.material is not None:
+            for n in range(self.terms):
+                for scaled, sign, s, centre in (
+                        (kve, -1, self.a, self.e), (ive, 1, self.b, 0)):
+                    term(n, *self._layer(n, scaled, sign, s), centre)
+        return [np.array(field) for field in zip(*terms)]
+
+    def _layer(self, n, scaled, sign, wall):
+        """Stream function, its derivative and omega of H = K_n(r/delta)
+        (sign -1) or I_n(r/delta) (sign 1), scaled to 1 at a wall; `scaled` is
+        the function times exp(-sign r/delta)."""
+        delta = self.material.delta
+        factor = self.material.factor*delta
+        one = scaled(n, wall/delta)
+
+        def H(r):
+            return scaled(n, r/delta)*np.exp(sign*(r - wall)/delta)/one
+
+        def dH(r):
+            mean = (scaled(abs(n - 1), r/delta) + scaled(n + 1, r/delta))/2
+            return sign/delta*mean*np.exp(sign*(r - wall)/delta)/one
+
+        return lambda r: -factor*H(r), lambda r: -factor*dH(r), H
+
+    def _field(self, i, x, y):
+        return np.tensordot(self.constants, self._basis(x, y)[i], 1)
 
     def u(self, x, y):
         """Velocity [m/s], shape (2, ...)."""
-        return np.array([np.tensordot(self.constants, basis, 1)
-                         for basis in self._basis(x, y)])
+        return np.array([self._field(i, x, y) for i in (0, 1)])
+
+    def omega(self, x, y):
+        """Microrotation [1/s]; of the classical fluid half the curl of u."""
+        return self._field(2, x, y)
+
+    def torque(self, eta):
+        """Torque [N m per m of length] that turns the inner cylinder, of
+        stress and couple stress together. Of all terms only B = C log r has
+        one about the axis r = 0: its shear stress is 2 eta C/r^2, and the
+        fluid's torque 2 pi r^2 times that. (That of H is the same on all
+        circles around its axis, and vanishes with K_n far away, with I_n in
+        the centre.)"""
+        return -4*np.pi*eta*self.constants[0]
 
 
 class SolCx:

@@ -36,10 +36,10 @@ class Box:
     leaves cells away.
 
     materials: dict of name: dict of eta, etaC, R, B, rho; walls: dict of side:
-    (U entry, omega entry) as text; g: vector; cyclic: True for cyclic left
-    and right; fractions: function (x, y) -> fraction of the first material,
-    where there are two; U, omega: functions (x, y) for the initial fields;
-    force, couple: functions (x, y) for a body force and a body couple;
+    (U entry, omega entry[, p_rgh entry]) as text; g: vector; cyclic: True for
+    cyclic left and right; fractions: function (x, y) -> fraction of the first
+    material, where there are two; U, omega: functions (x, y) for the initial
+    fields; force, couple: functions (x, y) for a body force and a body couple;
     warp: function (x, y) -> (x, y) that moves the points of the mesh;
     triangles: True for triangular prisms.
     """
@@ -211,7 +211,7 @@ boundaryField
         field("omega", SCALAR, "[0 0 -1 0 0 0 0]", omega,
               lambda side: patch(side, 1, self.omega, False))
         field("p_rgh", SCALAR, "[1 -1 -2 0 0 0 0]", np.zeros(len(x)),
-              lambda side: "type zeroGradient;")
+              lambda side: (*self.walls[side], "type zeroGradient;")[2])
 
         if self.force:
             b = np.zeros((len(x), 3))

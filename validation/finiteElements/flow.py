@@ -4,10 +4,9 @@ from dataclasses import dataclass
 from typing import Callable
 
 import numpy as np
-from scipy.sparse import bmat, coo_matrix, diags, identity
+from scipy.sparse import bmat, bsr_matrix, coo_matrix, diags
 from scipy.sparse.linalg import splu
 
-from finiteElements.mesh import SIDES
 from finiteElements.shapes import Lagrange, gauss, monomials
 
 #: Two sides whose normals differ by more than this make a corner [rad]
@@ -249,29 +248,56 @@ class Flow:
         blocks[:, :2, :2] = self.frames
         i = np.arange(3*n).reshape(n, 3)
         T = _sparse(blocks, i, i, (3*n, 3*n))
-        A, B, rows = T.T @ self.A @ T, self.B @ T, T.T @ self.rows
-        free = np.flatnonzero(~self.fixed)
-        right = np.concatenate([rows - A @ self.given, -B @ self.given])
-        kept = np.arange(B.shape[0])[int(self.closed):]
-        A, B = A.tocsr()[free][:, free], B.tocsr()[kept][:, free]
-        d = 1/np.sqrt(A.diagonal())
-        e = 1/np.sqrt((B @ diags(d)).power(2).sum(axis=1).A1)
-        D, P = diags(d), diags(e)
-        S = bmat([[D @ A @ D, D @ B.T @ P], [P @ B @ D, None]], "csc")
-        right = right[np.concatenate([free, 3*n + kept])]
+        A, B = T.T @ self.A @ T, self.B @ T
+        right = np.concatenate([T.T @ self.rows - A @ self.given,
+                                -B @ self.given])
+        fixed = np.concatenate([self.fixed, np.zeros(B.shape[0], bool)])
+        fixed[3*n] = self.closed
+        right[fixed] = 0
+        d = 1/np.sqrt(A.diagonal(), where=~self.fixed, out=np.ones(3*n))
+        e = 1/np.sqrt((B @ diags(d*~self.fixed)).power(2).sum(axis=1).A1)
         scale = np.concatenate([d, e])
-        factors = splu(S, permc_spec="COLAMD")
-        x = factors.solve(scale*right)
-        x += factors.solve(scale*right - S @ x)
-        x *= scale
-        w = self.given.copy()
-        w[free] = x[:len(free)]
-        self.x = T @ w
-        self.p = np.zeros(self.B.shape[0])
-        self.p[kept] = x[len(free):]
+        keep = diags(scale*~fixed)
+        S = (keep @ bmat([[A, B.T], [B, None]], "csr") @ keep
+             + diags(fixed.astype(float))).tocsr()
+        x = self._condensed(S, scale*right)
+        self.x = T @ (scale*x + np.concatenate([self.given, 0*e]))[:3*n]
+        self.p = (scale*x)[3*n:]
         #: Force and couple of the walls on the medium, by node
         self.reactions = (self.A @ self.x + self.B.T @ self.p
                           - self.rows).reshape(n, 3)
+
+    def _condensed(self, S, right):
+        """Solution of S x = right by way of its Schur complement: the inner
+        nodes of a cell and its pressures but the mean see no other cell."""
+        cells, step = len(self.nodes), self.degree + 1
+        inner = self.nodes.reshape(-1, step, step)[:, 1:-1, 1:-1]
+        terms = self.B.shape[0]//cells
+        inside = np.concatenate([
+            (3*inner.reshape(cells, -1, 1) + np.arange(3)).reshape(cells, -1),
+            3*self.n_nodes + terms*np.arange(cells)[:, None]
+            + np.arange(1, terms)], axis=1)
+        m, inside = inside.shape[1], inside.ravel()
+        outside = np.setdiff1d(np.arange(len(right)), inside)
+        ii = S[inside][:, inside].tocoo()
+        blocks = np.zeros((cells, m, m))
+        blocks[ii.row//m, ii.row % m, ii.col % m] = ii.data
+        inverse = bsr_matrix((np.linalg.inv(blocks), np.arange(cells),
+                              np.arange(cells + 1))).tocsr()
+        io, oi = S[inside][:, outside], S[outside][:, inside]
+        factors = splu((S[outside][:, outside] - oi @ (inverse @ io)).tocsc())
+
+        def solve(r):
+            x = np.empty_like(r)
+            x[outside] = factors.solve(
+                r[outside] - oi @ (inverse @ r[inside]))
+            x[inside] = inverse @ (r[inside] - io @ x[outside])
+            return x
+
+        x = solve(right)
+        for _ in range(2):
+            x += solve(right - S @ x)
+        return x
 
     # Results
 

@@ -160,8 +160,8 @@ class Mesh:
             def add(corners, sides, cell=cell, origin=origin,
                     middles=middles):
                 new.append((
-                    [v for v, _ in corners], [x for _, x in corners], origin, True,
-                    self.block[cell], self.centres[cell],
+                    [v for v, _ in corners], [x for _, x in corners], origin,
+                    True, self.block[cell], self.centres[cell],
                     [middles[s] if s is not None else [np.nan]*2
                      for s in sides]))
 

@@ -19,7 +19,8 @@ NAMES = ["siloRate", "convergence", "significance", "internalLength", "longShear
          "extremes", "solveCost", "sceneCost", "pointIntegration",
          "rigidShear", "pointDistribution", "pointCoupling", "rayleighTaylor",
          "siloVolume", "pointCost", "freeSurface", "parallel", "speedAccuracy",
-         "soak", "mutations", "kills", "errorEstimate"]
+         "soak", "mutations", "kills", "errorEstimate", "finiteElements",
+         "cornerRelatives"]
 
 HERE = Path(__file__).resolve().parents[1]
 RESULTS = HERE/"results"

@@ -1,0 +1,187 @@
+"""Reference numbers: what the model gives where no analytic solution is."""
+
+from dataclasses import dataclass
+
+from cosserat.analytic import AnnularCouette, EccentricCylinders, Material
+
+
+@dataclass(frozen=True)
+class Reference:
+    """value in a unit, known to +- uncertainty (in the same unit); source:
+    what computed it."""
+
+    value: float
+    unit: str
+    uncertainty: float
+    source: str
+
+
+@dataclass(frozen=True)
+class Silo:
+    """The silo at rest in units of the tutorial's aperture, walls of free
+    slip or rough (no slip, omega = 0, on the two L-shaped solids).
+
+    alpha: internal length R, none: 0; filled: fill through the slot too, not
+    only above it; background: its viscosity; aperture, floor: width and depth
+    of the slot.
+    """
+
+    alpha: float = 0.0
+    filled: bool = False
+    background: float = 1.0
+    aperture: float = 1.0
+    floor: float = 0.25
+    rough: bool = False
+
+    #: Shear viscosity [Pa s] and weight [N/m3] of the fill
+    ETA = 1000.0
+    WEIGHT = 1e7
+
+    @property
+    def etaC(self):
+        """Cosserat viscosity of the fill [Pa s]."""
+        return self.ETA if self.alpha else 0.0
+
+    @property
+    def M(self):
+        """Bending viscosity of the fill [Pa s m2]."""
+        return 2*self.etaC*self.alpha**2
+
+
+#: Scenes by name; the number is the internal length
+SILO_SCENES = {
+    "start, 0": Silo(),
+    "start, 1/3": Silo(1/3),
+    "start, 2/3": Silo(2/3),
+    "start, 5/3": Silo(5/3),
+    "start, 10/3": Silo(10/3),
+    "filled, 0": Silo(filled=True),
+    "filled, 1/3": Silo(1/3, filled=True),
+    "filled, 2/3": Silo(2/3, filled=True),
+    "filled, 10/3": Silo(10/3, filled=True),
+    "one viscosity, 0": Silo(background=1000.0),
+    "one viscosity, 2/3": Silo(2/3, background=1000.0),
+    "narrow, 0": Silo(filled=True, aperture=0.5),
+    "narrow, 2/3": Silo(2/3, filled=True, aperture=0.5),
+    "thick, 0": Silo(filled=True, floor=0.5),
+    "thick, 2/3": Silo(2/3, filled=True, floor=0.5),
+    "rough, 0": Silo(rough=True),
+    "rough, 2/3": Silo(2/3, rough=True),
+    "rough, one viscosity, 0": Silo(rough=True, background=1000.0),
+    "rough, one viscosity, 2/3": Silo(2/3, rough=True, background=1000.0),
+}
+
+ELEMENTS = ("finite elements of degree 4 and 5, graded into the corners: "
+            "validation/finiteElements")
+
+
+def _rates(rows):
+    return {name: Reference(value, "m2/s", uncertainty, ELEMENTS)
+            for name, value, uncertainty in rows}
+
+
+#: Volume that leaves through the aperture in a time: the limit of ever finer
+#: rings. Where the surface of a soft medium ends in a corner of free-slip
+#: walls, velocity goes with r^0.012, and rings down to 1e-20 of a cell still
+#: lack 0.7 % of the rate at the start (alpha = 2/3)
+SILO = _rates([
+    ("start, 0", 9953.0, 2.0),
+    ("start, 1/3", 7577.0, 2.0),
+    ("start, 2/3", 7018.0, 2.0),
+    ("start, 5/3", 6686.0, 2.0),
+    ("start, 10/3", 6604.0, 2.0),
+    ("filled, 0", 8891.0, 4.0),
+    ("filled, 1/3", 5905.0, 3.0),
+    ("filled, 2/3", 5052.0, 3.0),
+    ("filled, 10/3", 4390.0, 3.0),
+    ("one viscosity, 0", 2821.3, 0.3),
+    ("one viscosity, 2/3", 2412.2, 0.4),
+    ("narrow, 0", 2086.0, 1.0),
+    ("narrow, 2/3", 1107.3, 0.5),
+    ("thick, 0", 8821.0, 4.0),
+    ("thick, 2/3", 5083.0, 3.0),
+    ("rough, 0", 9540.0, 2.0),
+    ("rough, 2/3", 5811.0, 2.0),
+    ("rough, one viscosity, 0", 1883.5, 0.3),
+    ("rough, one viscosity, 2/3", 1680.9, 0.3),
+])
+
+
+def _relatives(rows):
+    return {(scene, quantity): Reference(
+        value, {"flux": "m2/s", "u": "m/s", "omega": "1/s"}[quantity],
+        uncertainty, ELEMENTS) for scene, quantity, value, uncertainty in rows}
+
+
+#: Quantities of the scenes of cosserat.relatives, by scene and quantity
+RELATIVES = _relatives([
+    ("slip starts", "flux", 0.107264, 2e-6),
+    ("slip starts, Cosserat", "flux", 0.067742, 2e-6),
+    ("rotation held", "flux", 0.0558513, 2e-7),
+    ("lid", "flux", 0.058951, 2e-6),
+    ("lid", "u", -0.205185, 2e-5),
+    ("lid, Cosserat", "flux", 0.065186, 2e-6),
+    ("lid, Cosserat", "u", -0.234085, 2e-5),
+    ("lid, Cosserat", "omega", -0.403766, 2e-6),
+    ("inlet", "u", 0.414313, 5e-6),
+    ("inlet, Cosserat", "u", 0.432960, 1e-5),
+    ("inlet, Cosserat", "omega", -0.295791, 2e-6),
+    ("column, slip", "flux", 0.0145580, 2e-7),
+    ("column, no slip", "flux", 0.0067312, 4e-7),
+    ("column, slip, Cosserat", "flux", 0.0134942, 2e-7),
+    ("block, slip", "flux", 0.0155430, 1e-7),
+    ("block, no slip", "flux", 0.0085514, 4e-7),
+    ("plug", "flux", 0.185286, 2e-6),
+    ("plate 1/8, slip", "flux", 0.021401, 2e-6),
+    ("plate 1/8, no slip", "flux", 0.0212117, 4e-7),
+    ("plate 1/16, slip", "flux", 0.021988, 2e-6),
+    ("plate 1/16, no slip", "flux", 0.0223609, 4e-7),
+    ("plate 1/8, slip, Cosserat", "flux", 0.017470, 2e-6),
+    ("plate 1/8, no slip, Cosserat", "flux", 0.0153465, 5e-7),
+])
+
+DEPTH = 0.1
+
+_GRAINS = Material(1000, 1000, 0.2)
+_ROUND = "analytic, cosserat.analytic.EccentricCylinders"
+_TUTORIALS = "finite elements: validation/finiteElements/tutorials.py"
+
+#: Numbers of the tutorials, by tutorial or "tutorial, variant". Powers are of
+#: the meshes as they are, of the depth DEPTH [m]; uncertainties of finite
+#: elements are the difference of two meshes, rounded up
+TUTORIALS = {
+    # Power of the inner cylinder
+    "annularCouette": Reference(
+        DEPTH*AnnularCouette(_GRAINS, (1, 2), (1, 0), (1, 0)).torque,
+        "W", 1e-9, "analytic, cosserat.analytic.AnnularCouette"),
+    "eccentricCylinders": Reference(
+        DEPTH*EccentricCylinders(1, 2, 0.5, material=_GRAINS).torque(1000),
+        "W", 1e-6, _ROUND),
+    "eccentricCylinders, classical": Reference(
+        DEPTH*EccentricCylinders(1, 2, 0.5).torque(1000),
+        "W", 1e-6, _ROUND),
+    # Stream function of the vortex, in the middle between the walls
+    "cavity": Reference(-0.112257, "m2/s", 1e-6, _TUTORIALS),
+    "cavity, classical": Reference(
+        -0.100076, "m2/s", 1e-6,
+        "Sahin, Owens (2003), Int. J. Numer. Meth. Fluids 42, 57"),
+    # Power of the weight at the start
+    "template": Reference(1132.47, "W", 0.01, _TUTORIALS),
+    "columnSlump": Reference(26.8515, "W", 0.001, _TUTORIALS),
+    "columnSlump, R 0.5": Reference(25.2293, "W", 0.001, _TUTORIALS),
+    "dune": Reference(26.0314, "W", 0.0001, _TUTORIALS),
+    "dune, R 0.02": Reference(31.524, "W", 0.002, _TUTORIALS),
+    # Mean speed of the disc at the start
+    "sinkingInclusion": Reference(2.77508e-3, "m/s", 4e-7, _TUTORIALS),
+    "sinkingInclusion, classical": Reference(3.18770e-3, "m/s", 1e-7,
+                                             _TUTORIALS),
+    # Fall in 90 s of a disc that stays round
+    "sinkingInclusion, fall": Reference(0.26458, "m", 1e-3, _TUTORIALS),
+    # Mean pressure of the feed beside that of the weight, at the start
+    "hopper": Reference(24099.6, "Pa", 0.5, _TUTORIALS),
+    "hopper, R 0.5": Reference(33271.0, "Pa", 1.0, _TUTORIALS),
+    # Flow rate through the aperture at the start
+    "silo": SILO["start, 2/3"],
+    "silo, classical": SILO["start, 0"],
+}
+TUTORIALS["schemes"] = TUTORIALS["template"]

@@ -1,0 +1,51 @@
+"""The silo at rest and the relatives of its corner (cosserat.relatives) by
+the flow solver, against the finite elements."""
+
+import shutil
+
+import numpy as np
+
+from cosserat.case import residuals
+from cosserat.references import RELATIVES, SILO, SILO_SCENES
+from cosserat.relatives import SCENES, RelativeCase, measure, silo
+from studies.common import HERE
+
+#: Cells a unit length
+MESHES, SILO_MESHES = [8, 16, 32], [4, 8, 16]
+
+
+def run(path, name, scene, meshes, references):
+    """Rows of a scene; references by quantity."""
+    rows, errors = [], {}
+    for cells in meshes:
+        if not RelativeCase.fits(scene, cells):
+            continue
+        shutil.rmtree(path, ignore_errors=True)
+        case = RelativeCase(path, scene, cells).write()
+        case.run("cosseratPicFoam")
+        for quantity, value in measure(case, scene, cells).items():
+            reference = references[quantity].value
+            error = value/reference - 1
+            before = errors.get((quantity, cells//2))
+            errors[quantity, cells] = error
+            rows.append({
+                "scene": name, "cells": cells, "quantity": quantity,
+                "value": value, "reference": reference, "error": error,
+                "order": float(np.log2(abs(before/error)))
+                if before else None,
+                "iterations": residuals(case.log())[0][3]})
+            print(rows[-1], flush=True)
+    return rows
+
+
+def study():
+    """Rows: scene, cells (a unit), quantity, value, reference, error
+    (relative), order (from the row of half the cells), iterations."""
+    path, rows = HERE/"runs/cornerRelatives", []
+    for name, scene in SILO_SCENES.items():
+        rows += run(path, f"silo: {name}", silo(scene), SILO_MESHES,
+                    {"flux": SILO[name]})
+    for name, scene in SCENES.items():
+        rows += run(path, name, scene, MESHES,
+                    {q: RELATIVES[name, q] for q in scene.quantities})
+    return rows
