@@ -33,11 +33,11 @@ REFERENCE = 9952.0
 #: Cells a unit length
 MESHES = [4, 8, 16]
 
-#: Tolerances of interFoam's outer iterations, by cells: at rest. The tightest
-#: of a mesh tells the error that looser ones leave in the rate; 32 cells check
-#: the extrapolation
+#: Tolerances of interFoam's outer iterations at rest, by cells. The tightest
+#: tells the error that looser ones leave in the rate; 32 cells check the
+#: extrapolation
 TOLERANCES = {4: [1e-2, 1e-3, 1e-4, 1e-6], 8: [1e-2, 1e-3, 1e-4, 1e-6],
-              16: [1e-2, 1e-3, 1e-4, 1e-6], 32: [1e-4]}
+              16: [1e-2, 1e-3, 1e-4, 1e-6], 32: [1e-4, 1e-6]}
 
 #: Meshes and interFoam's tolerances of the discharge until half is out
 DISCHARGE_MESHES = [4, 8]
@@ -280,14 +280,15 @@ def price(cells, errors, cpu, target=TARGET):
 
 def iteration_errors(rows):
     """Give each run of interFoam what its tolerance leaves in the rate,
-    against the tightest tolerance on its mesh; None where there is no other."""
+    against the tightest tolerance on its mesh; cosseratPicFoam's, which is
+    tight, is not asked (None)."""
     for row in rows:
         same = [other for other in rows if other["cells"] == row["cells"]
                 and other["code"] == row["code"] == PEER
                 and other["inertia"] == 1]
-        tightest = min(same, key=lambda r: r["tolerance"], default=row)
-        row["iterationError"] = (row["Q"]/tightest["Q"] - 1
-                                 if len(same) > 1 else None)
+        row["iterationError"] = (
+            row["Q"]/min(same, key=lambda r: r["tolerance"])["Q"] - 1
+            if same else None)
 
 
 def sequence(rows, code, **entries):
@@ -328,8 +329,9 @@ def discharge_price(rows, cells):
 def summaries(rows):
     """Rows of what the target costs, with the ratio to cosseratPicFoam's.
 
-    The discharges of interFoam are taken on the mesh that the tightest
-    tolerance asks for."""
+    Result is interFoam's price that the study is for: on the meshes that both
+    codes have run, at the loosest tolerance that serves. Its discharges are
+    taken on the mesh of that price."""
     own = [{"kind": "price", "code": OWN, "tolerance": None,
             "corners": corners, "upTo": MESHES[-1]}
            | price_of(sequence(rows, OWN, corners=corners), MESHES)
@@ -345,56 +347,65 @@ def summaries(rows):
                          "tolerance": tolerance, "corners": None,
                          "upTo": finest}
                         | price_of(runs, [*MESHES, finest]))
-    tight = min(peer, key=lambda row: row["tolerance"])["cells"]
+    result = next((row for row in peer if row["iterated"] and row["cells"]
+                   and row["upTo"] == MESHES[-1]), {"cells": None})
     for row in peer:
-        row["cpuToHalf"] = discharge_price(
-            sequence(rows, PEER, tolerance=row["tolerance"]), tight)
+        row["cpuToHalf"] = discharge_price(sequence(
+            rows, PEER, tolerance=row["tolerance"]), result["cells"])
     for row in own + peer:
+        row["result"] = row is result
         for key, ratio in (("cpu", "ratio"), ("cpuToHalf", "ratioToHalf")):
             row[ratio] = row[key]/own[0][key] if row[key] else None
     return own + peer
 
 
-def label(code, row):
+def label(row):
     """What a line of the figure is called."""
-    if code == PEER:
+    if row["code"] == PEER:
         return f"{PEER}, tolerance {row['tolerance']:.0e}"
     return OWN + ("" if row["corners"] == "default"
                   else f", corners {row['corners']}")
 
 
+def draw_line(axis, runs, prices, colour):
+    """One sequence of meshes: hollow where outer iterations have left too
+    large an error; dotted to what is extrapolated."""
+    cpu, error = column(runs, "cpu"), np.abs(column(runs, "error"))*100
+    own = runs[0]["code"] == OWN
+    axis.loglog(cpu, error, "-" if own else "--", lw=1.2, color=colour)
+    for row, x, y in zip(runs, cpu, error):
+        loose = abs(row["iterationError"] or 0) >= ITERATION_ERROR
+        axis.plot(x, y, "o" if own else "s", ms=5, color=colour,
+                  mfc="w" if loose else colour)
+        axis.annotate(row["cells"], (x, y), textcoords="offset points",
+                      xytext=(4, 5), fontsize=7, color=colour)
+    axis.plot([], [], "o-" if own else "s--", ms=5, lw=1.2, color=colour,
+              label=label(runs[0]))
+    for asked in prices:
+        if asked["extrapolated"] and asked["iterated"] and asked["cpu"]:
+            last = [row["cells"] for row in runs].index(asked["upTo"])
+            axis.plot([cpu[last], asked["cpu"]], [error[last], TARGET*100],
+                      ":", color=colour)
+            axis.plot(asked["cpu"], TARGET*100, "*", ms=9, color=colour)
+
+
 def draw(rows, prices):
     """Error of the rate at rest against processor time."""
     figure, axis = plt.subplots(figsize=(6.4, 4.4), dpi=130)
-    for i, asked in enumerate(prices):
-        if asked["code"] == PEER and asked["upTo"] == MESHES[-1] and any(
-                other["upTo"] > MESHES[-1]
-                and other["tolerance"] == asked["tolerance"]
-                for other in prices):
-            continue
-        runs = sequence(rows, asked["code"], **{
-            key: asked[key] for key in ("tolerance", "corners")
-            if asked[key] is not None})
-        axis.loglog(column(runs, "cpu"), np.abs(column(runs, "error"))*100,
-                    "o-" if asked["code"] == OWN else "s--",
-                    ms=4, lw=1.2, color=f"C{i}",
-                    label=label(asked["code"], asked))
-        for row in runs:
-            axis.annotate(row["cells"], (row["cpu"], abs(row["error"])*100),
-                          textcoords="offset points", xytext=(4, 4),
-                          fontsize=7, color=f"C{i}")
-        if asked["extrapolated"] and asked["cpu"]:
-            axis.plot([runs[-1]["cpu"], asked["cpu"]],
-                      [abs(runs[-1]["error"])*100, TARGET*100],
-                      ":", color=f"C{i}")
-            axis.plot(asked["cpu"], TARGET*100, "o", mfc="none",
-                      color=f"C{i}")
+    keys = [(row["code"], row["tolerance"], row["corners"]) for row in prices]
+    for i, (code, tolerance, corners) in enumerate(dict.fromkeys(keys)):
+        draw_line(axis, sequence(rows, code, corners=corners,
+                                 **({"tolerance": tolerance}
+                                    if code == PEER else {})),
+                  [row for row, key in zip(prices, keys)
+                   if key == (code, tolerance, corners)], f"C{i}")
     axis.axhline(TARGET*100, color="grey", lw=0.8, ls=":")
     axis.set_xlabel("processor time of the solve [s]")
     axis.set_ylabel("error of the rate at rest [%]")
     axis.set_yticks([1, 2, 5, 10, 20, 50], ["1", "2", "5", "10", "20", "50"])
+    axis.set_ylim(0.7, 200)
     axis.grid(alpha=0.3)
-    axis.legend(fontsize=8)
+    axis.legend(fontsize=7.5, ncol=2, loc="upper center")
     save(figure, "peers")
     plt.close(figure)
 
@@ -417,7 +428,8 @@ def study(codes=(OWN, PEER)):
     Rows of prices (kind), of an error of 5 % of the rate: code, tolerance,
     corners, upTo (finest mesh used), orderError, orderCost, cells, cpu [s],
     extrapolated, iterated (iterationError below 1 %), cpuToHalf [s] of the
-    discharge (extrapolated), ratio and ratioToHalf to cosseratPicFoam."""
+    discharge (extrapolated), ratio and ratioToHalf to cosseratPicFoam, result
+    (the ratio that is asked)."""
     rows = kept(codes)
     rows += (own_rows() if OWN in codes else [])
     rows += (peer_rows() if PEER in codes else [])
