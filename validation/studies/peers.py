@@ -6,10 +6,11 @@ the largest relaxation factors that converge (studies/interFoamSilo, which
 tells why). Measured at rest are the rate of the first Stokes flow, its error
 and its processor time; then the discharge until half of the fill is out.
 
-Only the rows of one code again, the others from results/peers.json, in
-validation/ with etc/bashrc sourced:
+Only the rows of one code again, the others from results/peers.json (or all of
+them: figure), in validation/ with etc/bashrc sourced:
 
     $COSSERATPIC_PYTHON -m studies.peers cosseratPicFoam
+    $COSSERATPIC_PYTHON -m studies.peers figure
 """
 
 import json
@@ -442,4 +443,7 @@ def study(codes=(OWN, PEER)):
 
 
 if __name__ == "__main__":
-    print(write("peers", study(sys.argv[1:] or (OWN, PEER))))
+    asked = sys.argv[1:] or [OWN, PEER]
+    if set(asked) - {OWN, PEER, "figure"}:
+        raise SystemExit(f"{asked}: there are {OWN}, {PEER} and figure")
+    print(write("peers", study(asked)))
