@@ -14,13 +14,13 @@ matplotlib.use("Agg")
 from cosserat.analytic import GravityChannel, Material, ShearLayer, err
 from cosserat.case import TUTORIALS, Case, environment, residuals
 
-NAMES = ["siloRate", "convergence", "significance", "internalLength", "longShear",
-         "siloDischarge", "granularContact", "invariants", "manufactured",
+NAMES = ["convergence", "significance", "internalLength", "longShear",
+         "siloRate", "siloDischarge", "granularContact", "invariants", "manufactured",
          "extremes", "solveCost", "sceneCost", "pointIntegration",
          "rigidShear", "pointDistribution", "pointCoupling", "rayleighTaylor",
          "siloVolume", "pointCost", "freeSurface", "parallel", "speedAccuracy",
          "soak", "mutations", "kills", "errorEstimate", "finiteElements",
-         "cornerRelatives"]
+         "cornerRelatives", "peers"]
 
 HERE = Path(__file__).resolve().parents[1]
 RESULTS = HERE/"results"
