@@ -60,10 +60,12 @@ def silo_rate(scene, degree=3, **mesh):
 def silo_limit(scene, degree=4, depths=(1e-40, 1e-70, 1e-100), **mesh):
     """Rates for three depths of grading at the contact corners, whose
     logarithms are equal steps, and the limit that they tend to as a geometric
-    series does."""
+    series does; two rates where the depth does not tell."""
     rates = [silo_rate(scene, degree, contact=depth, **mesh)
-             for depth in depths]
-    first, second = np.diff(rates)
-    if abs(second) < 1e-6*abs(rates[-1]):
-        return rates, rates[-1]
-    return rates, rates[-1] + second**2/(first - second)
+             for depth in depths[:2]]
+    first = rates[1] - rates[0]
+    if abs(first) < 1e-6*abs(rates[1]):
+        return rates, rates[1]
+    rates.append(silo_rate(scene, degree, contact=depths[2], **mesh))
+    second = rates[2] - rates[1]
+    return rates, rates[2] + second**2/(first - second)
