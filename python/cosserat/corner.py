@@ -83,7 +83,7 @@ class WedgeCase(Case):
         (self.path/"constant").mkdir()
         write_polygons(self, flat, [np.array(cell) for cell in cells], side)
 
-    def _file(self, name, cls, text):
+    def write(self, name, cls, text):
         path = self.path/name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(HEADER.format(cls, path.name) + text)
@@ -91,25 +91,25 @@ class WedgeCase(Case):
     def _dictionaries(self, corners, extra):
         cosserat = any(eta_c for _, eta_c in self.media)
         kinds = sorted(set(self.media))
-        self._file("system/controlDict", "dictionary", """
+        self.write("system/controlDict", "dictionary", """
 application cosseratPicFoam; startFrom startTime; startTime 0;
 stopAt endTime; endTime 1; deltaT 1; writeControl timeStep; writeInterval 1;
 writeFormat ascii; writePrecision 14; timeFormat general; timePrecision 6;
 runTimeModifiable false;
 """)
-        self._file("system/fvSchemes", "dictionary", """
+        self.write("system/fvSchemes", "dictionary", """
 ddtSchemes { default none; } gradSchemes { default Gauss linear; }
 divSchemes { default none; } laplacianSchemes { default none; }
 interpolationSchemes { default linear; } snGradSchemes { default corrected; }
 """)
-        self._file("system/fvSolution", "dictionary",
+        self.write("system/fvSolution", "dictionary",
                    "creepingFlow { tolerance 1e-9; corners "
                    f"{'automatic' if corners else 'off'}; {extra} }}\n")
         materials = "\n".join(
             f"m{i} {{ rho 0; viscosityLaw constant; constantCoeffs {{ eta {a};"
             f" etaC {b}; R {1e3 if b else 0}; B infinite; }} }}"
             for i, (a, b) in enumerate(kinds))
-        self._file("constant/materialProperties", "dictionary",
+        self.write("constant/materialProperties", "dictionary",
                    f"materials {{ {materials} }}\n"
                    + ("viscosityAverage arithmetic; densityAverage arithmetic;"
                       if len(kinds) > 1 else ""))
@@ -118,7 +118,7 @@ interpolationSchemes { default linear; } snGradSchemes { default corrected; }
                                 for s in self.sector_of])
             for i in range(len(kinds)):
                 values = " ".join(map(str, (of_cell == i).astype(int)))
-                self._file(f"0/alpha.m{i}", "volScalarField", f"""
+                self.write(f"0/alpha.m{i}", "volScalarField", f"""
 dimensions [0 0 0 0 0 0 0];
 internalField nonuniform List<scalar> {len(of_cell)} ({values});
 boundaryField {{ "(first|second|far)" {{ type zeroGradient; }}
@@ -142,19 +142,19 @@ frontAndBack {{ type empty; }} }}
         walls = "\n".join(
             f"{name} {{ type {'noSlip' if held else 'slip'}; }}"
             for name, held in zip(("first", "second"), self.holds))
-        self._file("0/U", "volVectorField", f"""
+        self.write("0/U", "volVectorField", f"""
 dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);
 boundaryField {{ far {{ type fixedValue;
 value nonuniform List<vector> {len(values)} ({listed}); }}
 {walls} frontAndBack {{ type empty; }} }}
 """)
-        self._file("0/p_rgh", "volScalarField", """
+        self.write("0/p_rgh", "volScalarField", """
 dimensions [1 -1 -2 0 0 0 0]; internalField uniform 0;
 boundaryField { "(first|second|far)" { type zeroGradient; }
 frontAndBack { type empty; } }
 """)
         if cosserat:
-            self._file("0/omega", "volScalarField", """
+            self.write("0/omega", "volScalarField", """
 dimensions [0 0 -1 0 0 0 0]; internalField uniform 0;
 boundaryField { "(first|second|far)" { type fixedValue; value uniform 0; }
 frontAndBack { type empty; } }

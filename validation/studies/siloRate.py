@@ -5,7 +5,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from cosserat.case import residuals
-from cosserat.references import SILO_RATES, SILO_SCENES
+from cosserat.references import SILO, SILO_SCENES
 from cosserat.silo import prepare, rate
 from studies.common import cell_ticks, cpu_seconds, new_case, save
 
@@ -14,7 +14,7 @@ MESHES = [4, 8, 16, 32]
 
 def run(name, cells, corners):
     """One solve: its row."""
-    scene, reference = SILO_SCENES[name], SILO_RATES[name]
+    scene, reference = SILO_SCENES[name], SILO[name]
     target = f"{name.replace('/', '_').replace(', ', '-').replace(' ', '_')}"
     case = prepare(
         new_case("siloRate", f"{target}-{cells}-{corners}", "silo"),
@@ -34,7 +34,7 @@ def run(name, cells, corners):
 
 def draw(rows):
     """Errors against cells, with and without."""
-    figure, axes = plt.subplots(2, 5, figsize=(13, 5.4), dpi=110, sharex=True,
+    figure, axes = plt.subplots(4, 5, figsize=(13, 9.4), dpi=100, sharex=True,
                                 sharey=True)
     for axis, name in zip(axes.ravel(), SILO_SCENES):
         for model, style in (("off", "C7s--"), ("on", "C0o-")):
@@ -52,8 +52,10 @@ def draw(rows):
     axes[0, 0].set_ylim(-20, 60)
     for axis in axes[:, 0]:
         axis.set_ylabel("error of the rate [%]")
-    for axis in axes[1]:
+    for axis in axes[-1]:
         axis.set_xlabel("cells an aperture")
+    for axis in axes.ravel()[len(SILO_SCENES):]:
+        axis.set_visible(False)
     save(figure, "siloRate")
     plt.close(figure)
 
