@@ -15,7 +15,7 @@ def row(scene, degree, smallest, value, reference):
     result = {"scene": scene, "degree": degree, "smallest": smallest,
               "value": value, "reference": reference.value,
               "difference": value/reference.value - 1,
-              "uncertainty": reference.uncertainty/reference.value}
+              "uncertainty": reference.uncertainty/abs(reference.value)}
     print(result, flush=True)
     return result
 
