@@ -83,7 +83,7 @@ def draw(cases, names):
             i = ["arithmetic", "geometric", "harmonic"].index(average)
             axes[1].plot(
                 rows[:, 0]*1e3, rows[:, 1], color=f"C{i}",
-                label=f"{average} mean" if cells == 8 else None,
+                label=f"{average} mean" if cells == MESHES[0] else None,
                 **style)
     for axis, title in zip(axes, (
             "internal length, arithmetic mean", r"mean, $\alpha$ = 2/3")):
@@ -106,9 +106,7 @@ def study():
     cpu."""
     wanted = [(name, cells, "arithmetic") for cells in MESHES
               for name in ALPHAS]
-    wanted += [("2/3", cells, average) for cells in MESHES
-               for average in ("geometric", "harmonic")
-               if average == "geometric" or cells < MESHES[-1]]
+    wanted += [("2/3", 4, average) for average in ("geometric", "harmonic")]
     cases, rows = {}, []
     for name, cells, average in wanted:
         case, row = run(name, ALPHAS[name], cells, average)

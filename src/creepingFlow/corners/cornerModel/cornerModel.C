@@ -175,9 +175,9 @@ Foam::string Foam::cornerModel::description() const
     }
 
     OStringStream os;
-    os  << "yes (" << corners_.size() << " of more than half a turn: "
-        << nHold << " no slip, " << nSlip << " slip, "
-        << corners_.size() - nSlip - nHold << " both)";
+    os  << "yes (re-entrant: " << nHold << " of no-slip walls, " << nSlip
+        << " of slip walls; " << corners_.size() - nSlip - nHold
+        << " where slip meets no slip)";
     return os.str();
 }
 

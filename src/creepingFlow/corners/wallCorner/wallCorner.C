@@ -34,8 +34,10 @@ License
 using Foam::constant::mathematical::pi;
 using Foam::constant::mathematical::twoPi;
 
-//- Angle from which walls make a corner
+//- Angle from which walls make a corner, of one kind and where one holds the
+//- fluid and the other lets it slip
 static const Foam::scalar smallestAngle = Foam::degToRad(210.0);
+static const Foam::scalar smallestMixedAngle = Foam::degToRad(100.0);
 
 //- Part of a face within which places are one
 static const Foam::scalar together = 1e-6;
@@ -395,7 +397,8 @@ Foam::List<Foam::wallCorner> Foam::wallCorner::find
             (
                 face.ends[pair[0] % 2], w[0], w[1], face.normal
             );
-            if (corner.angle() > smallestAngle)
+            const bool mixed = w[0].holds != w[1].holds;
+            if (corner.angle() > (mixed ? smallestMixedAngle : smallestAngle))
             {
                 corners.append(corner);
             }
