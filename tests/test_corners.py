@@ -8,7 +8,9 @@ import pytest
 
 from cosserat.case import TUTORIALS, Case, residuals
 from cosserat.corner import QUADS, TRIANGLES, WedgeCase
-from cosserat.references import SILO, SILO_SCENES
+from cosserat.references import RELATIVES, SILO, SILO_SCENES
+from cosserat.relatives import SCENES as RELATIVE_SCENES
+from cosserat.relatives import RelativeCase, measure
 from cosserat.silo import prepare, rate
 from cosserat.wedge import exponents
 
@@ -106,6 +108,20 @@ def test_rate_can_fail(tmp_path):
     path.write_text(re.sub(r"(etaC? +1)000", r"\g<1>010", path.read_text()))
     case.run("cosseratPicFoam")
     assert abs(rate(case)/SILO[name].value - 1 - RATES[name][0]) > 5e-3
+
+
+@pytest.mark.parametrize("name, error", [
+    ("slip starts", 4.8e-3), ("slip starts, Cosserat", -1.3e-3),
+    ("plate 1/8, slip", -3.79e-2), ("plate 1/8, no slip", -8.9e-3)])
+def test_relatives(tmp_path, name, error):
+    """Where slip begins on a straight wall, and plates one cell thick, on 8
+    cells against finite elements."""
+    scene = RELATIVE_SCENES[name]
+    case = RelativeCase(tmp_path/"case", scene, 8).write()
+    case.run("cosseratPicFoam")
+    flux = measure(case, scene, 8)["flux"]
+    assert flux/RELATIVES[name, "flux"].value - 1 == pytest.approx(
+        error, abs=1e-3)
 
 
 def test_factorised_matrix_has_corners(tmp_path):

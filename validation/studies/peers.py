@@ -382,7 +382,7 @@ def draw(rows, prices):
     axis.set_xlabel("processor time of the solve [s]")
     axis.set_ylabel("error of the rate at rest [%]")
     axis.set_yticks([1, 2, 5, 10, 20, 50], ["1", "2", "5", "10", "20", "50"])
-    axis.set_ylim(0.7, 200)
+    axis.set_ylim(0.4, 200)
     axis.grid(alpha=0.3)
     axis.legend(fontsize=7.5, ncol=2, loc="upper center")
     save(figure, "peers")
