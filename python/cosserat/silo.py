@@ -90,3 +90,36 @@ def rate(case, aperture=1):
     through = ((np.abs(middle[:, 1]) < 1e-9) & (size[:, 1] < 1e-9)
                & (np.abs(middle[:, 0]) < aperture/2))
     return float(np.abs(phi[through].sum())/DEPTH)
+
+
+#: Cells and growth towards the corners (largest over smallest of a half, or of
+#: a block with a corner at one end) of columns and rows of blocks of the
+#: tutorial's mesh, for smallest cells of 1/32
+REFINED = {
+    "columns": [("end", 12, 6), ("both", 8, 1), ("both", 24, 6),
+                ("both", 16, 4), ("both", 24, 6), ("both", 8, 1),
+                ("start", 12, 6)],
+    "rows": [("end", 36, 8), ("both", 8, 1), ("both", 48, 8),
+             ("start", 12, 6)],
+}
+
+
+def refine(case):
+    """Refine the mesh of a copy of the tutorial into the corners."""
+    def grading(towards, _, growth):
+        if towards == "both":
+            return f"((0.5 0.5 {growth}) (0.5 0.5 {1/growth!r}))"
+        return repr(float(growth) if towards == "start" else 1/growth)
+
+    def block(match):
+        # Vertices are numbered row by row, eight in each
+        first = int(match[1].split()[0])
+        column = REFINED["columns"][first % 8]
+        row = REFINED["rows"][first // 8]
+        return (f"hex ({match[1]}) ({column[1]} {row[1]} 1) simpleGrading "
+                f"({grading(*column)} {grading(*row)} 1)")
+
+    path = case.path/FILES["mesh"]
+    path.write_text(re.sub(
+        r"hex \(([\d ]+)\) \([^)]*\) simpleGrading \(1 1 1\)", block,
+        path.read_text()))

@@ -670,7 +670,8 @@ Foam::cosseratSystem::cosseratSystem
     nInternal_(mesh.nInternalFaces()),
     nFaces_(nInternal_ + halo.size() - nCells_),
     V_(mesh.V()),
-    anyJump_(false)
+    anyJump_(false),
+    rhoGh_(nCells_, Zero)
 {
     setGeometry();
     setReconstruction();
@@ -695,7 +696,7 @@ Foam::cosseratSystem::cosseratSystem
         }
     }
 
-    for (scalarField* field : {&ff_, &phi_, &rAUf_})
+    for (scalarField* field : {&ff_, &phi_, &rAUf_, &gravity_})
     {
         field->setSize(nFaces_);
         *field = 0;
