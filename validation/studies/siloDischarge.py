@@ -108,9 +108,9 @@ def draw(cases, names):
 
 def study():
     """Rows: alpha, cells (a unit; 32: refined into the corners), cell (width),
-    viscosityAverage, initialRate [m2/s], outflow [m2] at the end, timeToHalf [s], volumeDrift
-    (largest, relative, of the volume on the mesh), steps, maxIterations,
-    cpu."""
+    viscosityAverage, initialRate [m2/s], outflow [m2] at the end, timeToHalf
+    [s], volumeDrift (largest, relative, of the volume on the mesh), steps,
+    maxIterations, cpu."""
     wanted = [(name, cells, "arithmetic") for cells in MESHES
               for name in ALPHAS]
     wanted += [("2/3", 4, average) for average in ("geometric", "harmonic")]
