@@ -21,7 +21,7 @@ class WedgeCase(Case):
     from rotating; holds: which walls hold the fluid; mode: which solution."""
 
     def __init__(self, path, n, angles, media=None, holds=(False, False),
-                 mode=0, mesh=QUADS, corners=True, turn=0.0, extra=""):
+                 mode=0, mesh=QUADS, corners=True, turn=0.0):
         super().__init__(path)
         self.n, self.angles, self.turn = n, angles, turn
         self.media = media or [(1.0, 0.0)]*len(angles)
@@ -31,7 +31,7 @@ class WedgeCase(Case):
         self.solution = wedge.solutions(self.sectors, holds)[mode]
         self.sector_of = []
         self._mesh()
-        self._dictionaries(corners, extra)
+        self._dictionaries(corners)
 
     def exact(self, x, y):
         """Velocity, pressure and stream function."""
@@ -88,7 +88,7 @@ class WedgeCase(Case):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(HEADER.format(cls, path.name) + text)
 
-    def _dictionaries(self, corners, extra):
+    def _dictionaries(self, corners):
         cosserat = any(eta_c for _, eta_c in self.media)
         kinds = sorted(set(self.media))
         self.write("system/controlDict", "dictionary", """
@@ -104,7 +104,7 @@ interpolationSchemes { default linear; } snGradSchemes { default corrected; }
 """)
         self.write("system/fvSolution", "dictionary",
                    "creepingFlow { tolerance 1e-9; corners "
-                   f"{'automatic' if corners else 'off'}; {extra} }}\n")
+                   f"{'automatic' if corners else 'off'}; }}\n")
         materials = "\n".join(
             f"m{i} {{ rho 0; viscosityLaw constant; constantCoeffs {{ eta {a};"
             f" etaC {b}; R {1e3 if b else 0}; B infinite; }} }}"

@@ -181,32 +181,6 @@ def plates(medium, thickness, velocity):
         solid=lambda x, y: (x > 0.5) & (x < 1.5) & (y > 0) & (y < t))
 
 
-def silo(scene):
-    """The whole silo at rest, of cosserat.references.Silo."""
-    half, floor = scene.aperture/2, scene.floor
-    bottom = -floor if scene.filled else 0.0
-
-    def solid(x, y):
-        x = np.abs(x)
-        return (((x > half) & (x < 2.75) & (y < 0) & (y > -floor))
-                | ((x > 2.5) & (x < 2.75) & (y < 5) & (y > -floor)))
-
-    def fill(x, y):
-        x = np.abs(x)
-        return (((x < 2.5) & (y > 0) & (y < 5))
-                | ((x < half) & (y > bottom) & (y < 0)))
-
-    right = (half, 2.5, 2.75, 3.75)
-    return Scene(
-        tuple(-x for x in reversed(right)) + right, (-4, -floor, 0, 5, 6), (
-            Side("box", lambda x, y: x + y < np.inf, SLIP),
-            Side("solids", lambda x, y: (np.abs(x) < 3.7) & (y > -3.9)
-                 & (y < 5.9), *((STUCK, 0.0) if scene.rough else (SLIP,)))),
-        (), {"flux": ("flux", (-half, 0), (half, 0))},
-        (Medium(scene.ETA, scene.etaC, scene.alpha, scene.WEIGHT),
-         Medium(scene.background)), (0.0, -1.0), solid, fill)
-
-
 CLASSICAL = Medium()
 
 SCENES = {

@@ -565,10 +565,7 @@ void Foam::cornerModel::setMaterials
             }
         }
     }
-    if (anyShared_ || Pstream::parRun())
-    {
-        sumOverAll(values);
-    }
+    sumOverAll(values);
 
     waiting_.clear();
     forAll(corners_, i)
