@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cosseratSystem.H"
+#include "SVD.H"
 #include "unitConversion.H"
 #include "coupledPolyPatch.H"
 #include "surfaceFields.H"
@@ -475,32 +476,62 @@ void Foam::cosseratSystem::setFaceCoefficients()
     jumpC_ = jumpC;
     anyJump_ = returnReduce(jump_.size() > 0, orOp<bool>());
 
-    if (cosserat_)
-    {
-        setFeedback();
-    }
+    setJumpCells();
 }
 
 
-void Foam::cosseratSystem::setFeedback()
+void Foam::cosseratSystem::setJumpCells()
 {
-    feedback_.setSize(halo_.size());
-    feedback_ = 0;
+    // Row of a cell in the list, by cell
+    labelList row(nCells_, -1);
+    DynamicList<label> cells;
+    DynamicList<scalarSquareMatrix> systems;
 
     forAll(jump_, i)
     {
         const label f = jump_[i];
-        for (const label celli : {own_[f], nei_[f]})
+        const label P = own_[f], N = nei_[f];
+        const scalar n[] = {n0_[f], n1_[f]}, t[] = {n1_[f], -n0_[f]};
+
+        for (const label celli : {P, N})
         {
-            if (celli < nCells_)
+            if (celli >= nCells_)
             {
-                feedback_[celli] +=
-                    es_[celli]*jumpC_[i]*S_[f]/V_[celli];
+                continue;
+            }
+            if (row[celli] < 0)
+            {
+                row[celli] = cells.size();
+                cells.append(celli);
+                systems.append(scalarSquareMatrix(4, Identity<scalar>()));
+            }
+            scalarSquareMatrix& A = systems[row[celli]];
+            const scalar S =
+                (celli == P ? 1 : -1)*S_[f]/V_[celli]
+               *jumpC_[i]*(b_[N] - b_[P]);
+
+            // G_ij += S n_i t_j u_n,t, u_n,t = t_k G_kl n_l
+            for (label ij = 0; ij < 4; ++ij)
+            {
+                for (label kl = 0; kl < 4; ++kl)
+                {
+                    A(ij, kl) -=
+                        S*n[ij/2]*t[ij % 2]*t[kl/2]*n[kl % 2];
+                }
             }
         }
     }
 
-    halo_.swap("s", {&feedback_});
+    jumpCells_ = cells;
+    jumpInverse_.setSize(cells.size());
+    forAll(systems, i)
+    {
+        const scalarSquareMatrix inverse(SVDinv(systems[i]));
+        for (label j = 0; j < 16; ++j)
+        {
+            jumpInverse_[i][j] = inverse(j/4, j % 4);
+        }
+    }
 }
 
 

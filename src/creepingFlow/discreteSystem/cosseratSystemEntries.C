@@ -142,6 +142,7 @@ void Foam::cosseratSystem::addCellEntries
     const labelUList& faces,
     const scalarField& tangentialWeight,
     const scalarField& compliance,
+    const FixedList<scalar, 16>* jumpInverse,
     const labelList& ids,
     sparseEntries& e
 ) const
@@ -281,44 +282,36 @@ void Foam::cosseratSystem::addCellEntries
         addTo(sum, -factor*n0*n1, G[1][1]);
     };
 
-    // Compliance of jumps, as far as the cell itself makes it
-    List<velocityForm> slip(m);
-    for (label k = 0; k < m; ++k)
+    // What weightGradient() makes of it
+    for (label k = 0; cosserat_ && k < m; ++k)
     {
         const label f = faces[k];
         if (compliance[f] > 0)
         {
-            const label P = own_[f], N = nei_[f];
-            const bool owner = P == celli;
-
-            scalar cq = b_[N] - b_[P], comega = 0;
-            if (cosserat_)
-            {
-                const scalar sP = rotationShare(P, f);
-                const scalar sN = rotationShare(N, f);
-                cq += 2*es_[N]*(1 - sN) - 2*es_[P]*(1 - sP);
-                comega = owner ? -2*es_[P]*sP : 2*es_[N]*sN;
-            }
-            cq *= compliance[f]*(owner ? wStiff_[f] : 1 - wStiff_[f]);
-
-            slip[k] = zero;
-            addGradientOfNormal(slip[k], cq, f);
-            slip[k][last] += compliance[f]*comega;
-        }
-    }
-    for (label k = 0; k < m; ++k)
-    {
-        if (slip[k].size())
-        {
-            const label f = faces[k];
-            const scalar S = (own_[f] == celli ? S_[f] : -S_[f])/V_[celli];
+            const bool owner = own_[f] == celli;
+            const scalar S = (owner ? S_[f] : -S_[f])/V_[celli];
             const scalar n[] = {n0_[f], n1_[f]}, t[] = {n1_[f], -n0_[f]};
+            const scalar own = compliance[f]*2*es_[celli]*(owner ? -1 : 1);
             for (label i = 0; i < 2; ++i)
             {
                 for (label j = 0; j < 2; ++j)
                 {
-                    addTo(G[i][j], S*n[i]*t[j], slip[k]);
+                    G[i][j][last] += S*n[i]*t[j]*own;
                 }
+            }
+        }
+    }
+    if (jumpInverse)
+    {
+        const FixedList<scalar, 16>& L = *jumpInverse;
+        const velocityForm g[] = {G[0][0], G[0][1], G[1][0], G[1][1]};
+        for (label j = 0; j < 4; ++j)
+        {
+            velocityForm& sum = G[j/2][j % 2];
+            sum = zero;
+            for (label l = 0; l < 4; ++l)
+            {
+                addTo(sum, L[4*j + l], g[l]);
             }
         }
     }
@@ -458,11 +451,18 @@ void Foam::cosseratSystem::viscousEntries(sparseEntries& e) const
         }
     }
 
+    List<const FixedList<scalar, 16>*> jumpInverse(nCells_, nullptr);
+    forAll(jumpCells_, i)
+    {
+        jumpInverse[jumpCells_[i]] = &jumpInverse_[i];
+    }
+
     for (label celli = 0; celli < nCells_; ++celli)
     {
         addCellEntries
         (
-            celli, faces[celli], tangentialWeight, compliance, ids, e
+            celli, faces[celli], tangentialWeight, compliance,
+            jumpInverse[celli], ids, e
         );
     }
 }

@@ -270,49 +270,51 @@ void Foam::cosseratSystem::correctWalls() const
 
 void Foam::cosseratSystem::weightGradient() const
 {
-    halo_.swap("t", {&G00_, &G01_, &G10_, &G11_});
+    if (nonOrthogonal_)
+    {
+        halo_.swap("t", {&G00_, &G01_, &G10_, &G11_});
+    }
 
-    // Face values first, from the linear gradients on both sides
-    scalarField v0(jump_.size()), v1(jump_.size());
-
+    // Faces first, without u_n,t
     forAll(jump_, i)
     {
         const label f = jump_[i];
         const label P = own_[f], N = nei_[f];
-        const scalar q =
-            wStiff_[f]*tangentialGradientOfNormal(P, f)
-          + (1 - wStiff_[f])*tangentialGradientOfNormal(N, f);
-
-        scalar c = (b_[N] - b_[P])*q;
-        if (cosserat_)
-        {
-            const scalar sP = rotationShare(P, f), sN = rotationShare(N, f);
-            c += 2*es_[N]*(sN*omega_[N] + (1 - sN)*q)
-               - 2*es_[P]*(sP*omega_[P] + (1 - sP)*q);
-        }
 
         scalar d0, d1;
         difference(f, d0, d1);
         const scalar vn =
             (w_[f] - wStiff_[f])*(d0*n0_[f] + d1*n1_[f]);
-        const scalar vt =
-            (w_[f] - jumpW_[i])*(d0*n1_[f] - d1*n0_[f]) + jumpC_[i]*c;
+        scalar vt = (w_[f] - jumpW_[i])*(d0*n1_[f] - d1*n0_[f]);
+        if (cosserat_)
+        {
+            vt += jumpC_[i]*2*(es_[N]*omega_[N] - es_[P]*omega_[P]);
+        }
 
-        v0[i] = vn*n0_[f] + vt*n1_[f];
-        v1[i] = vn*n1_[f] - vt*n0_[f];
-    }
-
-    forAll(jump_, i)
-    {
-        const label f = jump_[i];
-        const label P = own_[f], N = nei_[f];
+        const scalar v0 = vn*n0_[f] + vt*n1_[f];
+        const scalar v1 = vn*n1_[f] - vt*n0_[f];
         const scalar sP = S_[f]/V_[P];
 
-        addToGradient(P, sP*n0_[f], sP*n1_[f], v0[i], v1[i]);
+        addToGradient(P, sP*n0_[f], sP*n1_[f], v0, v1);
         if (N < nCells_)
         {
             const scalar sN = -S_[f]/V_[N];
-            addToGradient(N, sN*n0_[f], sN*n1_[f], v0[i], v1[i]);
+            addToGradient(N, sN*n0_[f], sN*n1_[f], v0, v1);
+        }
+    }
+
+    // What u_n,t of the cell itself adds
+    forAll(jumpCells_, i)
+    {
+        const label c = jumpCells_[i];
+        const FixedList<scalar, 16>& L = jumpInverse_[i];
+        const scalar g[] = {G00_[c], G01_[c], G10_[c], G11_[c]};
+        scalar* G[] = {&G00_[c], &G01_[c], &G10_[c], &G11_[c]};
+        for (label j = 0; j < 4; ++j)
+        {
+            *G[j] =
+                L[4*j]*g[0] + L[4*j + 1]*g[1]
+              + L[4*j + 2]*g[2] + L[4*j + 3]*g[3];
         }
     }
 }
