@@ -471,6 +471,8 @@ void Foam::cosseratSystem::setFaceCoefficients()
         }
     }
 
+    r0_ = s0_ + (w_ - wStiff_)/dc_*k0_;
+    r1_ = s1_ + (w_ - wStiff_)/dc_*k1_;
     jump_ = jump;
     jumpW_ = jumpW;
     jumpC_ = jumpC;
@@ -506,17 +508,26 @@ void Foam::cosseratSystem::setJumpCells()
                 systems.append(scalarSquareMatrix(4, Identity<scalar>()));
             }
             scalarSquareMatrix& A = systems[row[celli]];
-            const scalar S =
-                (celli == P ? 1 : -1)*S_[f]/V_[celli]
-               *jumpC_[i]*(b_[N] - b_[P]);
+            scalar s[2];
+            gradientVector(celli, f, s[0], s[1]);
 
-            // G_ij += S n_i t_j u_n,t, u_n,t = t_k G_kl n_l
+            // G_ij += s_i v_j, v = n vn + t vt: u_n,t = t_k G_kl n_l of two
+            // layers in vt, and in both the way k to the normal
+            const scalar q = jumpC_[i]*(b_[N] - b_[P]);
+            const scalar kn = (w_[f] - wStiff_[f])/dc_[f];
+            const scalar kt = (w_[f] - jumpW_[i])/dc_[f];
+            const scalar k[] = {k0_[f], k1_[f]};
             for (label ij = 0; ij < 4; ++ij)
             {
+                const label m = ij % 2;
                 for (label kl = 0; kl < 4; ++kl)
                 {
-                    A(ij, kl) -=
-                        S*n[ij/2]*t[ij % 2]*t[kl/2]*n[kl % 2];
+                    const label l = kl % 2;
+                    A(ij, kl) -= s[ij/2]*
+                    (
+                        t[m]*q*t[kl/2]*n[l]
+                      + k[kl/2]*(kn*n[m]*n[l] + kt*t[m]*t[l])
+                    );
                 }
             }
         }

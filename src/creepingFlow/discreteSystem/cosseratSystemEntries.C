@@ -288,15 +288,16 @@ void Foam::cosseratSystem::addCellEntries
         const label f = faces[k];
         if (compliance[f] > 0)
         {
-            const bool owner = own_[f] == celli;
-            const scalar S = (owner ? S_[f] : -S_[f])/V_[celli];
-            const scalar n[] = {n0_[f], n1_[f]}, t[] = {n1_[f], -n0_[f]};
-            const scalar own = compliance[f]*2*es_[celli]*(owner ? -1 : 1);
+            const scalar t[] = {n1_[f], -n0_[f]};
+            const scalar own =
+                compliance[f]*2*es_[celli]*(own_[f] == celli ? -1 : 1);
+            scalar s[2];
+            gradientVector(celli, f, s[0], s[1]);
             for (label i = 0; i < 2; ++i)
             {
                 for (label j = 0; j < 2; ++j)
                 {
-                    G[i][j][last] += S*n[i]*t[j]*own;
+                    G[i][j][last] += s[i]*t[j]*own;
                 }
             }
         }

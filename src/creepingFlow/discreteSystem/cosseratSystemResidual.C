@@ -270,19 +270,12 @@ void Foam::cosseratSystem::correctWalls() const
 
 void Foam::cosseratSystem::weightGradient() const
 {
-    if (nonOrthogonal_)
-    {
-        halo_.swap("t", {&G00_, &G01_, &G10_, &G11_});
-    }
-
-    // Faces first, without u_n,t
+    // Faces first, without what the gradient of the cell itself adds
     forAll(jump_, i)
     {
         const label f = jump_[i];
         const label P = own_[f], N = nei_[f];
-
-        scalar d0, d1;
-        difference(f, d0, d1);
+        const scalar d0 = u0_[N] - u0_[P], d1 = u1_[N] - u1_[P];
         const scalar vn =
             (w_[f] - wStiff_[f])*(d0*n0_[f] + d1*n1_[f]);
         scalar vt = (w_[f] - jumpW_[i])*(d0*n1_[f] - d1*n0_[f]);
@@ -291,19 +284,22 @@ void Foam::cosseratSystem::weightGradient() const
             vt += jumpC_[i]*2*(es_[N]*omega_[N] - es_[P]*omega_[P]);
         }
 
-        const scalar v0 = vn*n0_[f] + vt*n1_[f];
-        const scalar v1 = vn*n1_[f] - vt*n0_[f];
-        const scalar sP = S_[f]/V_[P];
-
-        addToGradient(P, sP*n0_[f], sP*n1_[f], v0, v1);
-        if (N < nCells_)
+        for (const label celli : {P, N})
         {
-            const scalar sN = -S_[f]/V_[N];
-            addToGradient(N, sN*n0_[f], sN*n1_[f], v0, v1);
+            if (celli < nCells_)
+            {
+                scalar s0, s1;
+                gradientVector(celli, f, s0, s1);
+                addToGradient
+                (
+                    celli, s0, s1,
+                    vn*n0_[f] + vt*n1_[f], vn*n1_[f] - vt*n0_[f]
+                );
+            }
         }
     }
 
-    // What u_n,t of the cell itself adds
+    // Then that
     forAll(jumpCells_, i)
     {
         const label c = jumpCells_[i];
@@ -426,12 +422,14 @@ void Foam::cosseratSystem::weightForce() const
         const label P = own_[f], N = nei_[f];
         const scalar change = (wSoft_[f] - w_[f])*S_[f]*ff_[f]/dc_[f];
 
-        f0_[P] -= change*n0_[f]/V_[P];
-        f1_[P] -= change*n1_[f]/V_[P];
+        const scalar c0 = change*n0_[f], c1 = change*n1_[f];
+
+        f0_[P] -= T00_[P]*c0 + T01_[P]*c1;
+        f1_[P] -= T10_[P]*c0 + T11_[P]*c1;
         if (N < nCells_)
         {
-            f0_[N] += change*n0_[f]/V_[N];
-            f1_[N] += change*n1_[f]/V_[N];
+            f0_[N] += T00_[N]*c0 + T01_[N]*c1;
+            f1_[N] += T10_[N]*c0 + T11_[N]*c1;
         }
     }
 }
@@ -439,15 +437,13 @@ void Foam::cosseratSystem::weightForce() const
 
 void Foam::cosseratSystem::addAdjointForce(scalarField& r) const
 {
-    const label n = nCells_;
-
     // Work of the pressure differences on the part of the fluxes that the
-    // skewness gives, by the gradients in cells
+    // gradients of cells make
     scalarField B00(halo_.size(), Zero), B01(B00), B10(B00), B11(B00);
 
     auto add = [&](const label celli, const label f, const scalar work)
     {
-        const scalar b0 = work*s0_[f], b1 = work*s1_[f];
+        const scalar b0 = work*r0_[f], b1 = work*r1_[f];
         B00[celli] += b0*n0_[f];
         B01[celli] += b0*n1_[f];
         B10[celli] += b1*n0_[f];
@@ -459,10 +455,68 @@ void Foam::cosseratSystem::addAdjointForce(scalarField& r) const
         for (label f = range.first(); f < range.second(); ++f)
         {
             const scalar work = S_[f]*ff_[f]/dc_[f];
-            add(own_[f], f, w_[f]*work);
-            add(nei_[f], f, (1 - w_[f])*work);
+            add(own_[f], f, wStiff_[f]*work);
+            add(nei_[f], f, (1 - wStiff_[f])*work);
         }
     }
+    addGradientAdjoint(B00, B01, B10, B11, r);
+
+    const label n = nCells_;
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            const label P = own_[f], N = nei_[f];
+            const scalar work = S_[f]*ff_[f]/dc_[f];
+            const scalar vP = wStiff_[f]*work, vN = work - vP;
+
+            r[P] += vP*n0_[f];
+            r[n + P] += vP*n1_[f];
+            if (N < n)
+            {
+                r[N] += vN*n0_[f];
+                r[n + N] += vN*n1_[f];
+            }
+        }
+    }
+    for (const label f : oneSided_)
+    {
+        const scalar F = S_[f]*ff_[f]/dc_[f];
+        r[own_[f]] += F*n0_[f];
+        r[n + own_[f]] += F*n1_[f];
+    }
+}
+
+
+void Foam::cosseratSystem::addGradientAdjoint
+(
+    scalarField& B00,
+    scalarField& B01,
+    scalarField& B10,
+    scalarField& B11,
+    scalarField& r
+) const
+{
+    const label n = nCells_;
+
+    // Back through the systems of cells beside jumps
+    if (anyJump_)
+    {
+        forAll(jumpCells_, i)
+        {
+            const label c = jumpCells_[i];
+            const FixedList<scalar, 16>& L = jumpInverse_[i];
+            scalar* B[] = {&B00[c], &B01[c], &B10[c], &B11[c]};
+            const scalar b[] = {*B[0], *B[1], *B[2], *B[3]};
+            for (label j = 0; j < 4; ++j)
+            {
+                *B[j] =
+                    L[j]*b[0] + L[4 + j]*b[1] + L[8 + j]*b[2] + L[12 + j]*b[3];
+            }
+        }
+    }
+
+    // and the sum over faces
     for (label celli = 0; celli < n; ++celli)
     {
         const scalar a = B00[celli]/V_[celli], b = B01[celli]/V_[celli];
@@ -474,34 +528,55 @@ void Foam::cosseratSystem::addAdjointForce(scalarField& r) const
     }
     halo_.swap("t", {&B00, &B01, &B10, &B11});
 
+    auto onFace = [&](const label f, scalar& b0, scalar& b1)
+    {
+        const label P = own_[f], N = nei_[f];
+        const scalar n0 = n0_[f], n1 = n1_[f];
+        b0 = S_[f]*(n0*(B00[P] - B00[N]) + n1*(B10[P] - B10[N]));
+        b1 = S_[f]*(n0*(B01[P] - B01[N]) + n1*(B11[P] - B11[N]));
+    };
+
     for (const labelPair& range : twoSided_)
     {
         for (label f = range.first(); f < range.second(); ++f)
         {
             const label P = own_[f], N = nei_[f];
-            const scalar n0 = n0_[f], n1 = n1_[f];
             const scalar wP = w_[f], wN = 1 - wP;
-            const scalar vP = wStiff_[f], vN = 1 - vP;
-            const scalar work = S_[f]*ff_[f]/dc_[f];
-            const scalar b0 = S_[f]*
-                (n0*(B00[P] - B00[N]) + n1*(B10[P] - B10[N]));
-            const scalar b1 = S_[f]*
-                (n0*(B01[P] - B01[N]) + n1*(B11[P] - B11[N]));
+            scalar b0, b1;
+            onFace(f, b0, b1);
 
-            r[P] += vP*work*n0 + wP*b0;
-            r[n + P] += vP*work*n1 + wP*b1;
+            r[P] += wP*b0;
+            r[n + P] += wP*b1;
             if (N < n)
             {
-                r[N] += vN*work*n0 + wN*b0;
-                r[n + N] += vN*work*n1 + wN*b1;
+                r[N] += wN*b0;
+                r[n + N] += wN*b1;
             }
         }
     }
-    for (const label f : oneSided_)
+
+    // Weights of jumps instead of linear ones, and microrotations
+    forAll(jump_, i)
     {
-        const scalar F = S_[f]*ff_[f]/dc_[f];
-        r[own_[f]] += F*n0_[f];
-        r[n + own_[f]] += F*n1_[f];
+        const label f = jump_[i];
+        const label P = own_[f], N = nei_[f];
+        scalar b0, b1;
+        onFace(f, b0, b1);
+
+        const scalar bt = b0*n1_[f] - b1*n0_[f];
+        const scalar cn =
+            (w_[f] - wStiff_[f])*(b0*n0_[f] + b1*n1_[f]);
+        const scalar ct = (w_[f] - jumpW_[i])*bt;
+        const scalar c0 = cn*n0_[f] + ct*n1_[f];
+        const scalar c1 = cn*n1_[f] - ct*n0_[f];
+
+        r[P] -= c0;
+        r[n + P] -= c1;
+        if (N < n)
+        {
+            r[N] += c0;
+            r[n + N] += c1;
+        }
     }
 }
 
@@ -666,6 +741,7 @@ Foam::scalar Foam::cosseratSystem::wallCouple
 void Foam::cosseratSystem::addTwoSided(scalarField& r) const
 {
     const label n = nCells_;
+    const bool offset = skewed_ || (nonOrthogonal_ && anyJump_);
 
     for (const labelPair& range : twoSided_)
     {
@@ -673,21 +749,18 @@ void Foam::cosseratSystem::addTwoSided(scalarField& r) const
         {
             const label P = own_[f], N = nei_[f];
             const scalar n0 = n0_[f], n1 = n1_[f];
-            const scalar wP = w_[f], wN = 1 - wP;
+            const scalar wP = wStiff_[f], wN = 1 - wP;
             const scalar sP = wSoft_[f], sN = 1 - sP;
 
             scalar d0, d1, F0, F1;
             difference(f, d0, d1);
             viscousForce(f, d0, d1, F0, F1);
 
-            scalar u0 = wP*u0_[P] + wN*u0_[N] + (wP - wStiff_[f])*d0;
-            scalar u1 = wP*u1_[P] + wN*u1_[N] + (wP - wStiff_[f])*d1;
-            if (skewed_)
+            scalar u0 = wP*u0_[P] + wN*u0_[N];
+            scalar u1 = wP*u1_[P] + wN*u1_[N];
+            if (offset)
             {
-                u0 += s0_[f]*(wP*G00_[P] + wN*G00_[N])
-                    + s1_[f]*(wP*G10_[P] + wN*G10_[N]);
-                u1 += s0_[f]*(wP*G01_[P] + wN*G01_[N])
-                    + s1_[f]*(wP*G11_[P] + wN*G11_[N]);
+                addOffset(f, u0, u1);
             }
 
             phi_[f] = S_[f]*
