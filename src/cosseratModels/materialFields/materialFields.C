@@ -33,7 +33,8 @@ Foam::materialFields::averageTypeNames
 ({
     { averageType::ARITHMETIC, "arithmetic" },
     { averageType::GEOMETRIC, "geometric" },
-    { averageType::HARMONIC, "harmonic" }
+    { averageType::HARMONIC, "harmonic" },
+    { averageType::LAYERED, "layered" }
 });
 
 
@@ -71,18 +72,29 @@ Foam::PtrList<Foam::material> Foam::materialFields::readMaterials() const
 
 Foam::materialFields::averageType Foam::materialFields::readAverage
 (
-    const word& key
+    const word& key,
+    const averageType standard,
+    const UList<averageType>& allowed
 ) const
 {
     const word name
     (
-        dict_.getOrDefault<word>(key, averageTypeNames[averageType::ARITHMETIC])
+        dict_.getOrDefault<word>(key, averageTypeNames[standard])
     );
 
-    if (!averageTypeNames.found(name))
+    if
+    (
+        !averageTypeNames.found(name)
+     || !allowed.found(averageTypeNames[name])
+    )
     {
+        wordList names;
+        for (const averageType rule : allowed)
+        {
+            names.append(averageTypeNames[rule]);
+        }
         OStringStream os;
-        os  << flatOutput(averageTypeNames.sortedToc());
+        os  << flatOutput(names);
         checkedEntry::refuse(dict_, key, name, os.str());
     }
 
@@ -140,6 +152,7 @@ void Foam::materialFields::average
                 q *= pow(scalarField(q.size(), value), alpha);
                 break;
             }
+            case averageType::LAYERED:
             case averageType::HARMONIC:
             {
                 // A material without the property leaves none to the cell
@@ -149,7 +162,7 @@ void Foam::materialFields::average
         }
     }
 
-    if (rule == averageType::HARMONIC)
+    if (rule == averageType::HARMONIC || rule == averageType::LAYERED)
     {
         const scalar largest = max(values);
         forAll(q, celli)
@@ -159,6 +172,34 @@ void Foam::materialFields::average
     }
 
     field.correctBoundaryConditions();
+}
+
+
+void Foam::materialFields::averageLayers
+(
+    const scalarList& eta,
+    const scalarList& etaC
+)
+{
+    scalarField& q = eta_.primitiveFieldRef();
+    scalarField& c = etaC_.primitiveFieldRef();
+    q = 0;
+    c = 0;
+    scalarField compliance(q.size(), Zero);
+
+    forAll(alphas_, m)
+    {
+        const scalarField& alpha = alphas_[m].primitiveField();
+        const scalar a = eta[m] + etaC[m];
+        compliance += alpha/a;
+        q += alpha*eta[m]/a;
+        c += alpha*etaC[m]/a;
+    }
+    q /= compliance;
+    c /= compliance;
+
+    eta_.correctBoundaryConditions();
+    etaC_.correctBoundaryConditions();
 }
 
 
@@ -231,8 +272,32 @@ Foam::materialFields::materialFields
         materials_,
         mesh.solutionDict().subOrEmptyDict("creepingFlow")
     ),
-    viscosityAverage_(readAverage("viscosityAverage")),
-    densityAverage_(readAverage("densityAverage")),
+    viscosityAverage_
+    (
+        readAverage
+        (
+            "viscosityAverage",
+            averageType::LAYERED,
+            List<averageType>
+            ({
+                averageType::ARITHMETIC, averageType::GEOMETRIC,
+                averageType::HARMONIC, averageType::LAYERED
+            })
+        )
+    ),
+    densityAverage_
+    (
+        readAverage
+        (
+            "densityAverage",
+            averageType::ARITHMETIC,
+            List<averageType>
+            ({
+                averageType::ARITHMETIC, averageType::GEOMETRIC,
+                averageType::HARMONIC
+            })
+        )
+    ),
     alphas_(parts_.has(sceneParts::AVERAGES) ? materials_.size() : 0),
     rho_(newField("rho", materials_[0].rho())),
     eta_(newField("eta", materials_[0].law().eta())),
@@ -302,6 +367,27 @@ Foam::wordList Foam::materialFields::names() const
 }
 
 
+Foam::tmp<Foam::scalarField> Foam::materialFields::flowingDensity() const
+{
+    const label n = mesh_.nCells();
+    tmp<scalarField> tflowing(new scalarField(n, Zero));
+    scalarField& flowing = tflowing.ref();
+    scalarField compliance(n, Zero);
+
+    forAll(alphas_, m)
+    {
+        const viscosityLaw& law = materials_[m].law();
+        const scalar a = law.eta().value() + law.etaC().value();
+        const scalarField share(alphas_[m].primitiveField()/a);
+        compliance += share;
+        flowing += share*materials_[m].rho().value();
+    }
+    flowing /= compliance;
+
+    return tflowing;
+}
+
+
 void Foam::materialFields::correct()
 {
     if (alphas_.empty() || !fractionsMoved())
@@ -331,9 +417,16 @@ void Foam::materialFields::correct()
     }
 
     average(rho_, rho, densityAverage_);
-    average(eta_, eta, viscosityAverage_);
-    average(etaC_, etaC, viscosityAverage_);
     average(M_, M, viscosityAverage_);
+    if (viscosityAverage_ == averageType::LAYERED)
+    {
+        averageLayers(eta, etaC);
+    }
+    else
+    {
+        average(eta_, eta, viscosityAverage_);
+        average(etaC_, etaC, viscosityAverage_);
+    }
     // Volume changes of the materials of a cell add up
     average(invB_, invB, averageType::ARITHMETIC);
 }

@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cosseratSystem.H"
+#include "carriedDensity.H"
 #include "SVD.H"
 #include "unitConversion.H"
 #include "coupledPolyPatch.H"
@@ -557,7 +558,7 @@ Foam::vector Foam::cosseratSystem::gravity() const
 
 Foam::tmp<Foam::vectorField> Foam::cosseratSystem::bodyForce() const
 {
-    tmp<vectorField> tforce(materials_.rho().primitiveField()*gravity());
+    tmp<vectorField> tforce(rho_*gravity());
     if (load_.force())
     {
         tforce.ref() += load_.force()->primitiveField();
@@ -646,13 +647,12 @@ void Foam::cosseratSystem::setGravity()
     reduce(gCyclic, maxMagSqrOp<vector>());
 
     const vector gRest(g - gCyclic);
-    const scalarField& rho = materials_.rho().primitiveField();
     const vectorField& C = mesh_.C().primitiveField();
 
-    rhoGh_ = rho*(gRest & C);
+    rhoGh_ = rho_*(gRest & C);
 
     scalarField rhoExt(halo_.size());
-    SubList<scalar>(rhoExt, nCells_) = rho;
+    SubList<scalar>(rhoExt, nCells_) = rho_;
     halo_.swap("s", {&rhoExt});
 
     const label i0 = frame_.i0(), i1 = frame_.i1();
@@ -768,6 +768,10 @@ void Foam::cosseratSystem::update()
         boundary_.closed() && !(compressible_ && compliance() > 0);
 
     stabilisation_.update(materials_.rho(), gravity());
+    rho_ =
+        materials_.layered() && gravity() != vector(Zero)
+      ? carriedDensity(materials_, gravity()).density()
+      : tmp<scalarField>(new scalarField(materials_.rho().primitiveField()));
 
     if (corners_.active())
     {
