@@ -12,13 +12,18 @@ def below(n, d, normal):
     normal . (x, y) < d; normal is a unit vector. The distance from the centre
     of points of a square is a sum of two uniform numbers, whose distribution
     this is."""
-    a, b = (max(abs(c)/(2*n), 1e-9/n) for c in normal)
+    b, a = sorted(abs(c)/(2*n) for c in normal)
 
     def fraction(x, y):
         t = d - normal[0]*x - normal[1]*y
-        square = sum(sign*np.maximum(t + shift, 0)**2 for sign, shift in (
-            (1, a + b), (-1, a - b), (-1, b - a), (1, -a - b)))
-        return np.clip(square/(8*a*b), 0, 1)
+        if b < 1e-6*a:
+            part = (t/a + 1)/2
+        else:
+            part = sum(sign*np.maximum(t + shift, 0)**2
+                       for sign, shift in ((1, a + b), (-1, a - b),
+                                           (-1, b - a), (1, -a - b)))/(8*a*b)
+        part = np.where(np.abs(t) < (a + b)*(1 - 1e-9), part, t > 0)
+        return np.clip(part, 0, 1)
     return fraction
 
 
