@@ -14,7 +14,7 @@ prints the quantities of a scene.
 import shutil
 import sys
 from dataclasses import dataclass
-from typing import Callable
+from typing import Callable, Optional
 
 from cosserat import bodies, layered
 from cosserat.box import add_points
@@ -26,15 +26,16 @@ from cosserat.results import balance
 class Scene:
     """box: function (path, contrast, cells, **entries of Box) -> Box;
     measure: function (case, contrast, cells) -> dict of quantity: Result;
-    region: of the points of the first material; points: a cell, where not
-    told otherwise (None: fractions); cells, contrasts: what the study runs."""
+    region: of the points of the first material, where there may be any;
+    points: a cell, where not told otherwise (None: fractions); cells,
+    contrasts: what the study runs."""
 
     box: Callable
     measure: Callable
-    region: str
+    region: Optional[str]
     cells: tuple
     contrasts: tuple
-    points: int = None
+    points: Optional[int] = None
 
 
 #: Cells a side. Of 30, 62, 126 the sides of the block leave a quarter of a
@@ -49,6 +50,8 @@ SCENES = {
     "disc, Cosserat": Scene(
         bodies.box(bodies.disc, True),
         bodies.measure_disc("disc, Cosserat", True), bodies.DISC, *DISC),
+    "discFitted": Scene(bodies.fitted_box, bodies.measure_fitted, None,
+                        (32, 64, 128), (1e3, 1e5, 3e5, 1e6)),
     "blockOnFaces": Scene(
         bodies.box(bodies.block), bodies.measure_block("block"), bodies.BLOCK,
         FACES, (1e-4, 1e3, 1e6)),
@@ -56,6 +59,8 @@ SCENES = {
         bodies.box(bodies.block, True),
         bodies.measure_block("block, Cosserat"), bodies.BLOCK, FACES,
         (1e3, 1e6)),
+    "blockOnWavyFaces": Scene(bodies.wavy_box, bodies.measure_wavy, None,
+                              FACES, (1e-4, 1e3, 1e6)),
     "blockThroughCells": Scene(
         bodies.box(bodies.block), bodies.measure_block("block"), bodies.BLOCK,
         CUT + CUT_LESS, (1e-4, 1e-2, 1e2, 1e6)),

@@ -247,6 +247,8 @@ JUMPS = _jumps("staggered scheme, limit of three grids: "
     ("disc", 10.0, "uCentre", -0.00363651, 1e-7),
     ("disc", 1e3, "u", -0.00318528, 1e-7),
     ("disc", 1e3, "uCentre", -0.00318784, 1e-7),
+    ("disc", 1e5, "u", -0.00318288, 1e-7),
+    ("disc", 3e5, "u", -0.00318287, 1e-7),
     ("disc", 1e6, "u", -0.00318286, 1e-7),
     ("disc", 1e6, "uCentre", -0.00318286, 1e-7),
     ("disc", 1e8, "u", -0.00318287, 1e-7),

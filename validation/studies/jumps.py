@@ -17,8 +17,8 @@ from studies.common import HERE, cell_ticks, cpu_seconds, save
 MEANS = [None, "arithmetic", "geometric", "harmonic"]
 
 #: Scenes without cut cells
-ON_FACES = {"blockOnFaces", "blockOnFaces, Cosserat", "solCx", "layers",
-            "columns"}
+ON_FACES = {"discFitted", "blockOnFaces", "blockOnFaces, Cosserat",
+            "blockOnWavyFaces", "solCx", "layers", "columns"}
 
 #: Quantity that the figure shows
 SHOWN = {"solCx": "v_rms", "solCxThrough": "v_rms"}
@@ -72,7 +72,7 @@ def add_orders(rows):
 
 def draw(rows):
     """Errors against cells by scene: the default in full, other means thin."""
-    figure, axes = plt.subplots(3, 4, figsize=(13, 9), dpi=130)
+    figure, axes = plt.subplots(3, 5, figsize=(16, 9), dpi=130)
     for axis, (name, scene) in zip(axes.flat, SCENES.items()):
         quantity = SHOWN.get(name, "u")
         for i, contrast in enumerate(scene.contrasts):
@@ -93,6 +93,8 @@ def draw(rows):
         axis.tick_params(labelsize=6)
         axis.grid(alpha=0.3)
         axis.legend(fontsize=6)
+    for axis in axes.flat[len(SCENES):]:
+        axis.remove()
     save(figure, "jumps")
     plt.close(figure)
 
