@@ -31,8 +31,8 @@ def test_staggered_scheme_solves_solCx(jump, order):
 
 
 def test_media_in_series():
-    """Layers that are sheared along themselves: harmonic in the shear, where
-    there is no microrotation, and arithmetic in nothing; one medium is itself."""
+    """Classical layers that are sheared: the harmonic mean. One medium is
+    itself."""
     assert in_series((2, 2, 2), (8, 8, 8), (0.5, 0.5), 0) == pytest.approx(
         (3.2, 3.2, 3.2))
     assert in_series((3, 1, 3), (3, 1, 3), (0.2, 0.8), 1) == pytest.approx(

@@ -1,7 +1,7 @@
 """Reference solutions by a staggered scheme (numpy and scipy): stiff and soft
 rectangles whose sides are grid lines, classical and Cosserat.
 
-    cd validation; python3 -m staggered
+    cd validation; python3 -m staggered [CELLS]
 
 prints the numbers of the block of cosserat.jumps on three grids, with their
 limit. It shares nothing with the solver, nor with the finite elements, but the
@@ -22,6 +22,7 @@ that belongs to g1 are the same above and below, g1 and the other beside one
 another. Walls hold no velocity along themselves: the traction is 0 there.
 """
 
+import sys
 from time import process_time
 
 import numpy as np
@@ -243,8 +244,8 @@ def limit(coarse, middle, fine):
     return fine + (fine - middle)/(q - 1)
 
 
-def main(cells=12):
-    """Print the numbers of the block."""
+def main(cells=18):
+    """Print the numbers of the block; cells: of a part of the coarsest."""
     for name, cosserat, contrasts in (
             ("block", False, (1e-4, 1e-2, 1e2, 1e3, 1e6)),
             ("block, Cosserat", True, (1e3, 1e6))):
@@ -260,4 +261,4 @@ def main(cells=12):
 
 
 if __name__ == "__main__":
-    main()
+    main(*map(int, sys.argv[1:]))

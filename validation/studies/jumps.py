@@ -33,8 +33,8 @@ def solve(path, name, contrast, cells, mean):
             "cells": cells}
     try:
         found, case = run(path, name, contrast, cells, mean)
-    except RunError as failure:
-        print(head, failure, flush=True)
+    except RunError:
+        print(head, "failed", flush=True)
         return [{**head, "status": "failed"}]
     return [{**head, "status": "ok", "quantity": quantity,
              "value": result.value, "reference": result.reference,
@@ -89,12 +89,11 @@ def draw(rows):
                                 lw=1.5 if main else 0.7,
                                 label=f"{contrast:g}" if main else None)
         axis.set_title(f"{name}: {quantity}", fontsize=9)
+        axis.set_ylim(1e-5, 2)
         cell_ticks(axis, sorted(scene.cells))
         axis.tick_params(labelsize=6)
         axis.grid(alpha=0.3)
         axis.legend(fontsize=6)
-    for axis in axes.flat[len(SCENES):]:
-        axis.remove()
     save(figure, "jumps")
     plt.close(figure)
 
