@@ -113,7 +113,7 @@ dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
         self.file("constant/materialProperties",
                   f"materials\n{{{laws}\n}}\n{mean}")
         if self.triangles:
-            write_prisms(self.case, self.n)
+            self.prisms()
         else:
             self.mesh()
             self.case.run("blockMesh", "-noFunctionObjects")
@@ -122,6 +122,10 @@ dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
         (self.case.path/"0").mkdir(exist_ok=True)
         self.fields()
         return self.case
+
+    def prisms(self):
+        """Write a mesh of triangles."""
+        write_prisms(self.case, self.n)
 
     def mesh(self):
         """Write blockMeshDict."""

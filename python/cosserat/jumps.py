@@ -54,13 +54,15 @@ SCENES = {
                         (32, 64, 128), (1e3, 1e5, 3e5, 1e6)),
     "blockOnFaces": Scene(
         bodies.box(bodies.block), bodies.measure_block("block"), bodies.BLOCK,
-        FACES, (1e-4, 1e3, 1e6)),
+        FACES, (1e-4, 1e3, 1e6, 1e8)),
     "blockOnFaces, Cosserat": Scene(
         bodies.box(bodies.block, True),
         bodies.measure_block("block, Cosserat"), bodies.BLOCK, FACES,
-        (1e3, 1e6)),
-    "blockOnWavyFaces": Scene(bodies.wavy_box, bodies.measure_wavy, None,
+        (1e3, 1e6, 1e8)),
+    "blockOnWavyFaces": Scene(bodies.wavy_box, bodies.measure_motion, None,
                               FACES, (1e-4, 1e3, 1e6)),
+    "blockOnTriangles": Scene(bodies.triangles_box, bodies.measure_motion,
+                              None, FACES, (1e-4, 1e3, 1e6)),
     "blockThroughCells": Scene(
         bodies.box(bodies.block), bodies.measure_block("block"), bodies.BLOCK,
         CUT, (1e-4, 1e-2, 1e2, 1e6)),

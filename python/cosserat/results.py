@@ -1,6 +1,7 @@
 """What is measured in a case, and its errors."""
 
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 
@@ -10,11 +11,12 @@ DEPTH = 0.1
 
 @dataclass(frozen=True)
 class Result:
-    """value, and its error: relative to a reference, where there is one."""
+    """value, and its error, where it has one: relative to a reference, where
+    there is one."""
 
     value: float
-    error: float
-    reference: float = None
+    error: Optional[float] = None
+    reference: Optional[float] = None
 
 
 def against(value, reference):

@@ -18,7 +18,8 @@ MEANS = [None, "arithmetic", "geometric", "harmonic"]
 
 #: Scenes without cut cells
 ON_FACES = {"discFitted", "blockOnFaces", "blockOnFaces, Cosserat",
-            "blockOnWavyFaces", "solCx", "layers", "columns"}
+            "blockOnWavyFaces", "blockOnTriangles", "solCx", "layers",
+            "columns"}
 
 #: Quantity that the figure shows
 SHOWN = {"solCx": "v_rms", "solCxThrough": "v_rms"}
@@ -72,7 +73,7 @@ def add_orders(rows):
 
 def draw(rows):
     """Errors against cells by scene: the default in full, other means thin."""
-    figure, axes = plt.subplots(3, 5, figsize=(16, 9), dpi=130)
+    figure, axes = plt.subplots(4, 4, figsize=(13, 12), dpi=130)
     for axis, (name, scene) in zip(axes.flat, SCENES.items()):
         quantity = SHOWN.get(name, "u")
         for i, contrast in enumerate(scene.contrasts):
