@@ -108,6 +108,89 @@ class GravityChannel:
         return self.G*y/(2*m.eta) + self.B0*np.sinh(y/m.delta)
 
 
+class Layers:
+    """Layers of several materials between edges[0] < y < edges[-1], one more
+    edge than materials, between walls of given velocity and rotation, driven
+    by G = rho g [N/m3] along x: what GravityChannel and ShearLayer have, with
+    constants of each layer. etaC > 0 in all.
+
+    With the shear stress tau = A - G y of all layers,
+
+        omega = -tau/(2 eta) + H,    H = b e^(-(y - y0)/delta)
+                                         + c e^((y - y1)/delta)
+        u' = tau/eta - 2 etaC/(eta + etaC) H
+
+    between edges y0 and y1 of a layer; u, omega and M omega' are the same on
+    either side of an edge.
+
+    velocity, rotation: u [m/s] and omega [1/s] of the lower and upper wall.
+    """
+
+    def __init__(self, materials, edges, velocity=(0, 0), rotation=(0, 0),
+                 G=0.0):
+        self.materials, self.edges, self.G = materials, np.array(edges), G
+        n = len(materials)
+        # Unknowns: A, then u at the lower edge, b, c of each layer
+        rows, right = [], []
+
+        def condition(value, *terms):
+            row, given = np.zeros(3*n + 1), 0.0
+            for sign, i, y, which in terms:
+                unit, load = self._terms(i, np.float64(y))[which]
+                row[0] += sign*unit[0]
+                row[3*i + 1:3*i + 4] += sign*np.array(unit[1:])
+                given += sign*load
+            rows.append(row)
+            right.append(value - given)
+
+        for which, walls in enumerate((velocity, rotation)):
+            condition(walls[0], (1, 0, edges[0], which))
+            condition(walls[1], (1, n - 1, edges[-1], which))
+        for i, y in enumerate(edges[1:-1]):
+            for which in range(3):
+                condition(0.0, (1, i, y, which), (-1, i + 1, y, which))
+        self.constants = np.linalg.solve(np.array(rows), np.array(right))
+
+    def _terms(self, i, y):
+        """u, omega and couple stress in layer i: each of unit A, u0, b, c,
+        and of the force."""
+        m, G = self.materials[i], self.G
+        y0, y1 = self.edges[i:i + 2]
+        low, high = np.exp((y0 - y)/m.delta), np.exp((y - y1)/m.delta)
+        full = np.exp((y0 - y1)/m.delta)
+        f, k, one = m.factor, m.M/m.delta, 1 + 0*y
+        return [
+            (((y - y0)/m.eta, one, f*(low - 1), f*(full - high)),
+             -G*(y**2 - y0**2)/(2*m.eta)),
+            ((-one/(2*m.eta), 0*y, low, high), G*y/(2*m.eta)),
+            ((0*y, 0*y, -k*low, k*high), m.M*G/(2*m.eta) + 0*y)]
+
+    def _field(self, which, y):
+        y = np.asarray(y, float)
+        layer = np.clip(np.searchsorted(self.edges, y, "right") - 1, 0,
+                        len(self.materials) - 1)
+        total = np.zeros_like(y)
+        for i in range(len(self.materials)):
+            unit, load = self._terms(i, np.where(layer == i, y,
+                                                 self.edges[i]))[which]
+            own = self.constants[[0, 3*i + 1, 3*i + 2, 3*i + 3]]
+            total += np.where(layer == i, np.tensordot(
+                own, np.array(unit), 1) + load, 0)
+        return total
+
+    def u(self, y):
+        """Velocity along x [m/s]."""
+        return self._field(0, y)
+
+    def omega(self, y):
+        """Microrotation [1/s]."""
+        return self._field(1, y)
+
+    def couple_stress(self, y):
+        """mu_zy [Pa m]."""
+        return self._field(2, y)
+
+
 class AnnularCouette:
     """Ring between two cylinders r[0] < r[1] that turn, with
 
@@ -332,6 +415,18 @@ class SolCx:
         P = (eta*(self._derivative(X, 3)/np.pi - np.pi*self._derivative(X, 1))
              - np.cos(np.pi*X))/np.pi
         return P*np.cos(np.pi*Y)
+
+    @property
+    def v_rms(self):
+        """Root mean square of the velocity [m/s]; cos^2 and sin^2 of Y have
+        the mean 1/2."""
+        t, w = np.polynomial.legendre.leggauss(40)
+        square = 0.0
+        for a in (0.0, 0.5):
+            X = a + (t + 1)/4
+            square += w/4 @ (self._derivative(X, 0)**2/2
+                             + self._derivative(X, 1)**2/(2*np.pi**2))
+        return float(np.sqrt(square))
 
     @staticmethod
     def force(x, y):

@@ -41,7 +41,8 @@ class Box:
     material, where there are two; U, omega: functions (x, y) for the initial
     fields; force, couple: functions (x, y) for a body force and a body couple;
     warp: function (x, y) -> (x, y) that moves the points of the mesh;
-    triangles: True for triangular prisms.
+    triangles: True for triangular prisms; average: of the viscosities (None:
+    left out).
     """
 
     def __init__(self, path, n=16, materials=None, walls=None, g=(0, 0, 0),
@@ -108,10 +109,11 @@ dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
         constantCoeffs {{ eta {m['eta']}; etaC {m['etaC']}; R {m['R']};
             B {m.get('B', 'infinite')}; }}
     }}""" for name, m in self.materials.items())
-        self.file("constant/materialProperties", f"materials\n{{{laws}\n}}\n"
-                  f"viscosityAverage {self.average};\n")
+        mean = f"viscosityAverage {self.average};\n" if self.average else ""
+        self.file("constant/materialProperties",
+                  f"materials\n{{{laws}\n}}\n{mean}")
         if self.triangles:
-            write_prisms(self.case, self.n)
+            self.prisms()
         else:
             self.mesh()
             self.case.run("blockMesh", "-noFunctionObjects")
@@ -120,6 +122,10 @@ dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
         (self.case.path/"0").mkdir(exist_ok=True)
         self.fields()
         return self.case
+
+    def prisms(self):
+        """Write a mesh of triangles."""
+        write_prisms(self.case, self.n)
 
     def mesh(self):
         """Write blockMeshDict."""

@@ -28,6 +28,14 @@ def shaken_points(n, shake=0.2, seed=1):
     return np.array(points)
 
 
+def nearest_side(a, b):
+    """Patch of the edge between two points of the boundary."""
+    x, y = (a + b)/2
+    distance = {"left": x + 0.5, "right": 0.5 - x, "bottom": y + 0.5,
+                "top": 0.5 - y}
+    return min(distance, key=distance.get)
+
+
 def write_prisms(case, n, depth=0.1):
     """Write the mesh with patches left, right, bottom, top, frontAndBack."""
     flat = shaken_points(n)
@@ -40,13 +48,7 @@ def write_prisms(case, n, depth=0.1):
     # Neighbouring cells get neighbouring numbers
     triangles = triangles[np.lexsort(flat[triangles].mean(axis=1).T)]
 
-    def side(a, b):
-        x, y = (a + b)/2
-        distance = {"left": x + 0.5, "right": 0.5 - x, "bottom": y + 0.5,
-                    "top": 0.5 - y}
-        return min(distance, key=distance.get)
-
-    write_polygons(case, flat, triangles, side, depth)
+    write_polygons(case, flat, triangles, nearest_side, depth)
 
 
 def write_polygons(case, flat, cells, side, depth=0.1):

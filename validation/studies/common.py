@@ -20,7 +20,7 @@ NAMES = ["convergence", "significance", "internalLength", "longShear",
          "rigidShear", "pointDistribution", "pointCoupling", "rayleighTaylor",
          "siloVolume", "pointCost", "freeSurface", "parallel", "speedAccuracy",
          "soak", "mutations", "kills", "errorEstimate", "finiteElements",
-         "cornerRelatives", "peers"]
+         "cornerRelatives", "jumps", "peers"]
 
 HERE = Path(__file__).resolve().parents[1]
 RESULTS = HERE/"results"

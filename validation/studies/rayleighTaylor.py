@@ -44,12 +44,13 @@ class Tank(Box):
         path.write_text(text)
 
 
-def scene(path, ratio, n, end, max_step, **entries):
-    """The case with its points; entries are those of the points."""
+def scene(path, ratio, n, end, max_step, average="harmonic", **entries):
+    """The case with its points; average: of the viscosities (None: left out);
+    entries are those of the points."""
     still = ("type noSlip;", "type zeroGradient;")
     light, heavy = ({"eta": eta, "etaC": 0, "R": 0, "rho": rho}
                     for eta, rho in ((ratio, 0), (1, 1)))
-    tank = Tank(path, n=n, g=(0, -1, 0), tolerance=1e-6, average="harmonic",
+    tank = Tank(path, n=n, g=(0, -1, 0), tolerance=1e-6, average=average,
                 materials={"light": light, "heavy": heavy},
                 fractions=lambda x, y: 0*x,
                 walls={"bottom": still, "top": still})
@@ -100,12 +101,12 @@ def speeds(case):
     return np.column_stack((rows[:, 0], np.sqrt(rows[:, 1])))
 
 
-def growth_rate(path, ratio, n):
+def growth_rate(path, ratio, n, average="harmonic"):
     """Rate at which the wave of the interface grows at the start: the part
     cos(pi x/WIDTH) of the vertical velocity at its height over its amplitude.
     (The slope of v_rms in time is a staircase: the interface takes ten units
     of time from one row of points to the next.)"""
-    case = scene(path, ratio, n, 1e-3, 1e-3)
+    case = scene(path, ratio, n, 1e-3, 1e-3, average)
     case.run("cosseratPicFoam")
     x, y = case.centres()[:, :2].T
     wave = case.field("U")[:, 1]*np.cos(np.pi*x/WIDTH)
@@ -122,14 +123,15 @@ def peak(rows):
     return c - b**2/(4*a), rows[top, 0] - b/(2*a)
 
 
-def run(ratio, n):
+def run(ratio, n, average="harmonic", study="rayleighTaylor"):
     """The case of one run and its row."""
     end, max_step, _, _ = SCENES[ratio]
-    path = HERE/f"runs/rayleighTaylor/{ratio}-{n}"
+    path = HERE/f"runs/{study}/{ratio}-{n}"
     for old in (path, path.with_name(path.name + "-rest")):
         shutil.rmtree(old, ignore_errors=True)
-    growth = growth_rate(path.with_name(path.name + "-rest"), ratio, n)
-    case = scene(path, ratio, n, end, max_step)
+    growth = growth_rate(path.with_name(path.name + "-rest"), ratio, n,
+                         average)
+    case = scene(path, ratio, n, end, max_step, average)
     case.run("cosseratPicFoam")
     highest, when = peak(speeds(case))
     return case, {"ratio": ratio, "n": n, "growth": float(growth),
