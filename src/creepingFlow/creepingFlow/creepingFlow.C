@@ -250,9 +250,21 @@ void Foam::creepingFlow::pack()
     const label n = system_.nCells();
     x_.setSize(system_.size());
 
+    if (fromPRgh_.size() != n)
+    {
+        // A solution read is taken to the heights of the system; a uniform
+        // field is none, and as good a guess there
+        const scalarField& p = pRgh_.primitiveField();
+        fromPRgh_ = scalarField(n, Zero);
+        if (gMax(p) > gMin(p))
+        {
+            fromPRgh_ = system_.fromPRgh();
+        }
+    }
+
     SubList<scalar>(x_, n, 0) = U_.primitiveField().component(frame_.i0())();
     SubList<scalar>(x_, n, n) = U_.primitiveField().component(frame_.i1())();
-    SubList<scalar>(x_, n, 2*n) = pRgh_.primitiveField();
+    SubList<scalar>(x_, n, 2*n) = pRgh_.primitiveField() + fromPRgh_;
 
     if (system_.cosserat())
     {
@@ -278,14 +290,19 @@ void Foam::creepingFlow::unpack()
     forAll(U_, celli)
     {
         U_[celli] = frame_.inSpace(x_[celli], x_[n + celli]);
-        pRgh_[celli] = x_[2*n + celli];
+        // As it is where rounding would change it: a restart goes on from it
+        if (pRgh_[celli] + system_.fromPRgh()[celli] != x_[2*n + celli])
+        {
+            pRgh_[celli] = x_[2*n + celli] - system_.fromPRgh()[celli];
+        }
         omega_[celli] =
             system_.cosserat() && !system_.rotationUndetermined(celli)
           ? x_[3*n + celli]
           : e & (*skew(grad[celli]));
     }
 
-    p_.primitiveFieldRef() = pRgh_.primitiveField() + system_.rhoGh();
+    fromPRgh_ = system_.fromPRgh();
+    p_.primitiveFieldRef() = SubField<scalar>(x_, n, 2*n) + system_.rhoGh();
 
     // Coupled patches by evaluation, then the others as the system has them
     U_.correctBoundaryConditions();
@@ -298,7 +315,7 @@ void Foam::creepingFlow::unpack()
         const labelUList& cells = patch.faceCells();
 
         vectorField Ub(patch.size());
-        scalarField omegab(patch.size()), pb(patch.size()), rghb(patch.size());
+        scalarField omegab(patch.size()), pRghb(patch.size()), pb(patch.size());
         forAll(patch, i)
         {
             const label slot = halo_.start(patchi) + i;
@@ -316,14 +333,18 @@ void Foam::creepingFlow::unpack()
                     omegab[i] = system_.boundaryRotation(slot);
                 }
             }
-            pb[i] = system_.boundaryPressure(slot);
-            rghb[i] = system_.rhoGh()[cells[i]];
+            const scalar p = system_.boundaryPressure(slot);
+            pb[i] = p + system_.boundaryRhoGh(slot);
+            pRghb[i] =
+                boundary_.pressureFixed(boundary_.at(slot))
+              ? boundary_.pressure(boundary_.at(slot))
+              : p - system_.fromPRgh()[cells[i]];
         }
 
         U_.boundaryFieldRef()[patchi] == Ub;
         omega_.boundaryFieldRef()[patchi] == omegab;
-        pRgh_.boundaryFieldRef()[patchi] == pb;
-        p_.boundaryFieldRef()[patchi] == pb + rghb;
+        pRgh_.boundaryFieldRef()[patchi] == pRghb;
+        p_.boundaryFieldRef()[patchi] == pb;
     }
 
     system_.getFluxes(phi_);

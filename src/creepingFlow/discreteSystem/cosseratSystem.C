@@ -572,22 +572,11 @@ void Foam::cosseratSystem::setLoad()
 }
 
 
-void Foam::cosseratSystem::setGravity()
+Foam::vector Foam::cosseratSystem::periodicGravity() const
 {
-    gravity_.setSize(nFaces_);
-    gravity_ = 0;
-    rhoGh_ = scalarField(nCells_, Zero);
-
-    if (!materials_.parts().has(sceneParts::GRAVITY))
-    {
-        return;
-    }
-
     const vector g(gravity());
 
-    // The part along a cyclic direction cannot be the gradient of a periodic
-    // pressure
-    vector gCyclic(Zero);
+    vector periodic(Zero);
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
         if (isA<coupledPolyPatch>(pp) && pp.size())
@@ -596,18 +585,52 @@ void Foam::cosseratSystem::setGravity()
             if (cpp.parallel() && cpp.separated())
             {
                 const vector along(normalised(cpp.separation()[0]));
-                gCyclic = gCyclic - (gCyclic & along)*along
+                periodic = periodic - (periodic & along)*along
                   + (g & along)*along;
             }
         }
     }
-    reduce(gCyclic, maxMagSqrOp<vector>());
+    reduce(periodic, maxMagSqrOp<vector>());
 
-    const vector gRest(g - gCyclic);
+    return periodic;
+}
+
+
+void Foam::cosseratSystem::setHeights(const vector& periodic)
+{
+    const scalarField& rho = materials_.rho().primitiveField();
+
+    fromPRgh_ = rho*height_.gh(gravity(), periodic);
+
+    givenFromPRgh_ = scalarField(halo_.size() - nCells_, Zero);
+    for (const label f : oneSided_)
+    {
+        givenFromPRgh_[f - nInternal_] = fromPRgh_[own_[f]];
+    }
+}
+
+
+void Foam::cosseratSystem::setGravity()
+{
+    gravity_.setSize(nFaces_);
+    gravity_ = 0;
+    rhoGh_ = scalarField(nCells_, Zero);
+
+    const vector gCyclic(periodicGravity());
+    gradientGravity_ = gravity() - gCyclic;
+    setHeights(gCyclic);
+
+    if (!materials_.parts().has(sceneParts::GRAVITY))
+    {
+        return;
+    }
+
+    const vector& gRest = gradientGravity_;
     const scalarField& rho = materials_.rho().primitiveField();
     const vectorField& C = mesh_.C().primitiveField();
+    const point& middle = height_.middle();
 
-    rhoGh_ = rho*(gRest & C);
+    rhoGh_ = rho*(gRest & (C - middle));
 
     scalarField rhoExt(halo_.size());
     SubList<scalar>(rhoExt, nCells_) = rho;
@@ -621,7 +644,7 @@ void Foam::cosseratSystem::setGravity()
         gravity_[f] =
             (w_[f]*rhoExt[P] + (1 - w_[f])*rhoExt[N])
            *(gCyclic[i0]*m0_[f] + gCyclic[i1]*m1_[f])
-          - (gRest & Cf)*dc_[f]*(rhoExt[N] - rhoExt[P]);
+          - (gRest & (Cf - middle))*dc_[f]*(rhoExt[N] - rhoExt[P]);
     };
 
     const surfaceVectorField& Cf = mesh_.Cf();
@@ -658,6 +681,7 @@ Foam::cosseratSystem::cosseratSystem
     boundary_(boundary),
     materials_(materials),
     load_(mesh),
+    height_(mesh),
     stabilisation_(mesh, frame, halo),
     corners_(mesh, frame, halo, boundary, wantCorners),
     cosserat_(materials.parts().has(sceneParts::MICROROTATION)),
@@ -671,6 +695,7 @@ Foam::cosseratSystem::cosseratSystem
     nFaces_(nInternal_ + halo.size() - nCells_),
     V_(mesh.V()),
     anyJump_(false),
+    gradientGravity_(Zero),
     rhoGh_(nCells_, Zero)
 {
     setGeometry();

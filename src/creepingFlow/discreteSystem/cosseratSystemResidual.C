@@ -362,7 +362,7 @@ void Foam::cosseratSystem::calcForce
         ff_[f] = 0;
         if (boundary_.pressureFixed(i))
         {
-            const scalar pb = driven ? boundary_.pressure(i) : 0;
+            const scalar pb = driven ? givenPressure(i) : 0;
             ff_[f] = -dc_[f]*(pb - p_[own_[f]]) + driven*gravity_[f];
         }
     }

@@ -84,8 +84,20 @@ Foam::scalar Foam::cosseratSystem::boundaryPressure(const label slot) const
 
     return
         boundary_.pressureFixed(slot - nCells_)
-      ? boundary_.pressure(slot - nCells_)
+      ? givenPressure(slot - nCells_)
       : p_[P] - (f0_[P]*m0_[f] + f1_[P]*m1_[f])/dc_[f];
+}
+
+
+Foam::scalar Foam::cosseratSystem::boundaryRhoGh(const label slot) const
+{
+    const label f = nInternal_ + slot - nCells_;
+    const label P = own_[f];
+    const vector way(frame_.inSpace(m0_[f], m1_[f])/dc_[f]);
+
+    return
+        rhoGh_[P]
+      + materials_.rho()[P]*(gradientGravity_ & way);
 }
 
 
