@@ -106,6 +106,10 @@ int main(int argc, char *argv[])
     #include "createFields.H"
     progress done(runTime);
     flow.solve();
+    if (points.valid())
+    {
+        points->checkInflow(flow.U(), phi);
+    }
     done.spent("flow");
 
     while (runTime.run())

@@ -80,6 +80,29 @@ namespace Foam
 
         return GeometricField<Type, fvPatchField, volMesh>(io, mesh);
     }
+
+    //- The values beyond coupled patches; others are set by the system
+    static void evaluateCoupled(volScalarField& field)
+    {
+        const Pstream::commsTypes type = Pstream::commsTypes::nonBlocking;
+        const label startOfRequests = Pstream::nRequests();
+
+        for (fvPatchScalarField& pf : field.boundaryFieldRef())
+        {
+            if (pf.coupled())
+            {
+                pf.initEvaluate(type);
+            }
+        }
+        Pstream::waitRequests(startOfRequests);
+        for (fvPatchScalarField& pf : field.boundaryFieldRef())
+        {
+            if (pf.coupled())
+            {
+                pf.evaluate(type);
+            }
+        }
+    }
 }
 
 
@@ -280,8 +303,43 @@ void Foam::creepingFlow::pack()
 }
 
 
+void Foam::creepingFlow::setPRgh()
+{
+    SubField<scalar> p(x_, system_.nCells(), 2*system_.nCells());
+    fromPRgh_ = system_.fromPRgh();
+
+    // A restart has what p_rgh leaves of the pressure: so has the run that is
+    // not stopped, as long as it leaves most of the digits
+    const bool near = gMax(mag(fromPRgh_)) < 1e3*gMax(mag(p));
+    bool changed = false;
+
+    forAll(fromPRgh_, celli)
+    {
+        scalar& pRgh = pRgh_[celli];
+        if (pRgh + fromPRgh_[celli] != p[celli])
+        {
+            pRgh = p[celli] - fromPRgh_[celli];
+            const scalar left = pRgh + fromPRgh_[celli];
+            changed = changed || left != p[celli];
+            if (near)
+            {
+                p[celli] = left;
+            }
+        }
+    }
+
+    if (near && returnReduce(changed, orOp<bool>()))
+    {
+        scalarField r;
+        system_.residual(x_, r);
+    }
+}
+
+
 void Foam::creepingFlow::unpack()
 {
+    setPRgh();
+
     const label n = system_.nCells();
     const vector e(frame_.e());
     const tmp<volTensorField> tgrad(system_.gradU());
@@ -290,23 +348,18 @@ void Foam::creepingFlow::unpack()
     forAll(U_, celli)
     {
         U_[celli] = frame_.inSpace(x_[celli], x_[n + celli]);
-        // As it is where rounding would change it: a restart goes on from it
-        if (pRgh_[celli] + system_.fromPRgh()[celli] != x_[2*n + celli])
-        {
-            pRgh_[celli] = x_[2*n + celli] - system_.fromPRgh()[celli];
-        }
         omega_[celli] =
             system_.cosserat() && !system_.rotationUndetermined(celli)
           ? x_[3*n + celli]
           : e & (*skew(grad[celli]));
     }
 
-    fromPRgh_ = system_.fromPRgh();
     p_.primitiveFieldRef() = SubField<scalar>(x_, n, 2*n) + system_.rhoGh();
 
     // Coupled patches by evaluation, then the others as the system has them
     U_.correctBoundaryConditions();
     omega_.correctBoundaryConditions();
+    evaluateCoupled(pRgh_);
     p_.correctBoundaryConditions();
 
     for (const label patchi : boundary_.patches())
@@ -546,6 +599,28 @@ const Foam::creepingFlow& Foam::creepingFlow::find(const fvMesh& mesh)
 void Foam::creepingFlow::solve()
 {
     boundary_.update();
+    solveOnce();
+
+    // What the flow changes of the pressures that are given
+    const label most = 100;
+    for (label i = 0; boundary_.followsFlow() && boundary_.update(); ++i)
+    {
+        if (i == most)
+        {
+            FatalErrorInFunction
+                << "p_rgh of total pressures does not come to rest at time "
+                << mesh_.time().timeName() << " in " << most << " solves: the"
+                << " flow is too fast for the rest to be creeping" << nl
+                << "    Allowed: prghPressure and fixedValue"
+                << exit(FatalError);
+        }
+        solveOnce();
+    }
+}
+
+
+void Foam::creepingFlow::solveOnce()
+{
     system_.updateWalls();
 
     // As long as no property changes the matrices are those of the last solve

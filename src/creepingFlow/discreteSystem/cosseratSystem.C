@@ -572,44 +572,6 @@ void Foam::cosseratSystem::setLoad()
 }
 
 
-Foam::vector Foam::cosseratSystem::periodicGravity() const
-{
-    const vector g(gravity());
-
-    vector periodic(Zero);
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        if (isA<coupledPolyPatch>(pp) && pp.size())
-        {
-            const coupledPolyPatch& cpp = refCast<const coupledPolyPatch>(pp);
-            if (cpp.parallel() && cpp.separated())
-            {
-                const vector along(normalised(cpp.separation()[0]));
-                periodic = periodic - (periodic & along)*along
-                  + (g & along)*along;
-            }
-        }
-    }
-    reduce(periodic, maxMagSqrOp<vector>());
-
-    return periodic;
-}
-
-
-void Foam::cosseratSystem::setHeights(const vector& periodic)
-{
-    const scalarField& rho = materials_.rho().primitiveField();
-
-    fromPRgh_ = rho*height_.gh(gravity(), periodic);
-
-    givenFromPRgh_ = scalarField(halo_.size() - nCells_, Zero);
-    for (const label f : oneSided_)
-    {
-        givenFromPRgh_[f - nInternal_] = fromPRgh_[own_[f]];
-    }
-}
-
-
 void Foam::cosseratSystem::setGravity()
 {
     gravity_.setSize(nFaces_);

@@ -355,6 +355,13 @@ void Foam::cosseratSystem::calcForce
             }
         }
     }
+    if (driven)
+    {
+        forAll(boundary_.jump(), i)
+        {
+            ff_[nInternal_ + i] += dc_[nInternal_ + i]*boundary_.jump()[i];
+        }
+    }
 
     for (const label f : oneSided_)
     {

@@ -227,8 +227,21 @@ void Foam::cosseratSystem::netForce
 
     for (const label f : oneSided_)
     {
-        const vector t(frame_.inSpace(n1_[f], -n0_[f]));
-        add(boundary_.traction(f - nInternal_)*S_[f]*(t & direction));
+        const label i = f - nInternal_;
+        const vector n(frame_.inSpace(n0_[f], n1_[f]));
+        add(boundary_.traction(i)*S_[f]*((n ^ frame_.e()) & direction));
+        if (boundary_.pressureFixed(i))
+        {
+            const scalar p = givenPressure(i) + boundaryRhoGh(nei_[f]);
+            add(-p*S_[f]*(n & direction));
+        }
+    }
+    forAll(boundary_.jump(), i)
+    {
+        // A cyclic face is seen from both sides
+        const label f = nInternal_ + i;
+        const vector n(frame_.inSpace(n0_[f], n1_[f]));
+        add(0.5*boundary_.jump()[i]*S_[f]*(n & direction));
     }
 
     const vectorField b(bodyForce());
