@@ -264,7 +264,14 @@ void Foam::pointInflow::enter
 
                 const scalar left =
                     dt*min(max((now - k)/(now - before), scalar(0)), scalar(1));
-                p->track(left*velocity.value(*p), 0);
+                const scalar rest = p->track(left*velocity.value(*p), 0);
+
+                // Through a corner of the body in one step
+                if (rest > 0 && p->onBoundaryFace() && faces.out(p->face()))
+                {
+                    delete p;
+                    continue;
+                }
                 cloud.addParticle(p);
 
                 ++nIn;
