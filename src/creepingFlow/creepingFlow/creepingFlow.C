@@ -271,9 +271,10 @@ void Foam::creepingFlow::checkLoads() const
 void Foam::creepingFlow::pack()
 {
     const label n = system_.nCells();
+    const bool first = x_.size() != system_.size();
     x_.setSize(system_.size());
 
-    if (fromPRgh_.size() != n)
+    if (first)
     {
         // A solution read is taken to the heights of the system; a uniform
         // field is none, and as good a guess there
@@ -287,7 +288,10 @@ void Foam::creepingFlow::pack()
 
     SubList<scalar>(x_, n, 0) = U_.primitiveField().component(frame_.i0())();
     SubList<scalar>(x_, n, n) = U_.primitiveField().component(frame_.i1())();
-    SubList<scalar>(x_, n, 2*n) = pRgh_.primitiveField() + fromPRgh_;
+    if (first)
+    {
+        SubList<scalar>(x_, n, 2*n) = pRgh_.primitiveField() + fromPRgh_;
+    }
 
     if (system_.cosserat())
     {
