@@ -274,23 +274,19 @@ void Foam::creepingFlow::pack()
     const bool first = x_.size() != system_.size();
     x_.setSize(system_.size());
 
-    if (first)
-    {
-        // A solution read is taken to the heights of the system; a uniform
-        // field is none, and as good a guess there
-        const scalarField& p = pRgh_.primitiveField();
-        fromPRgh_ = scalarField(n, Zero);
-        if (gMax(p) > gMin(p))
-        {
-            fromPRgh_ = system_.fromPRgh();
-        }
-    }
-
     SubList<scalar>(x_, n, 0) = U_.primitiveField().component(frame_.i0())();
     SubList<scalar>(x_, n, n) = U_.primitiveField().component(frame_.i1())();
     if (first)
     {
-        SubList<scalar>(x_, n, 2*n) = pRgh_.primitiveField() + fromPRgh_;
+        // A solution read is taken to the heights of the system; a uniform
+        // field is none, and as good a guess there
+        const scalarField& pRgh = pRgh_.primitiveField();
+        SubField<scalar> p(x_, n, 2*n);
+        p = pRgh;
+        if (gMax(pRgh) > gMin(pRgh))
+        {
+            p = pRgh + system_.fromPRgh();
+        }
     }
 
     if (system_.cosserat())
@@ -310,20 +306,20 @@ void Foam::creepingFlow::pack()
 void Foam::creepingFlow::setPRgh()
 {
     SubField<scalar> p(x_, system_.nCells(), 2*system_.nCells());
-    fromPRgh_ = system_.fromPRgh();
+    const scalarField& from = system_.fromPRgh();
 
     // A restart has what p_rgh leaves of the pressure: so has the run that is
     // not stopped, as long as it leaves most of the digits
-    const bool near = gMax(mag(fromPRgh_)) < 1e3*gMax(mag(p));
+    const bool near = gMax(mag(from)) < 1e3*gMax(mag(p));
     bool changed = false;
 
-    forAll(fromPRgh_, celli)
+    forAll(from, celli)
     {
         scalar& pRgh = pRgh_[celli];
-        if (pRgh + fromPRgh_[celli] != p[celli])
+        if (pRgh + from[celli] != p[celli])
         {
-            pRgh = p[celli] - fromPRgh_[celli];
-            const scalar left = pRgh + fromPRgh_[celli];
+            pRgh = p[celli] - from[celli];
+            const scalar left = pRgh + from[celli];
             changed = changed || left != p[celli];
             if (near)
             {
