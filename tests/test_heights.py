@@ -278,3 +278,16 @@ def test_restart_far_away_goes_on(tmp_path):
     assert np.abs(ends[0] - ends[1]).max() < 1e-6*np.abs(ends[0]).max()
     first = case.log().index("No Iterations")
     assert case.log()[first:].split()[2] == "0"
+
+
+@pytest.mark.parametrize("y", [2.0**20, -1e7])
+def test_given_pressures_of_one_density_far_away(box, y):
+    """p_rgh 1 at one end and 0 at the other: no weight in it, so the flux is
+    that of the same channel at the origin."""
+    fluxes = []
+    for place in (0.0, y):
+        case = channel(box, f"{place}", place, (
+            "type fixedValue; value uniform 1;",
+            "type fixedValue; value uniform 0;"))
+        fluxes.append(flux(case))
+    assert fluxes[1] == pytest.approx(fluxes[0], rel=1e-9)

@@ -576,7 +576,6 @@ void Foam::cosseratSystem::setGravity()
 {
     gravity_.setSize(nFaces_);
     gravity_ = 0;
-    rhoGh_ = scalarField(nCells_, Zero);
 
     const vector gCyclic(periodicGravity());
     gradientGravity_ = gravity() - gCyclic;
@@ -589,10 +588,7 @@ void Foam::cosseratSystem::setGravity()
 
     const vector& gRest = gradientGravity_;
     const scalarField& rho = materials_.rho().primitiveField();
-    const vectorField& C = mesh_.C().primitiveField();
     const point& middle = height_.middle();
-
-    rhoGh_ = rho*(gRest & (C - middle));
 
     scalarField rhoExt(halo_.size());
     SubList<scalar>(rhoExt, nCells_) = rho;

@@ -25,6 +25,72 @@ License
 #include "coupledPolyPatch.H"
 #include "surfaceFields.H"
 
+// * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- Where p_rgh is given: densities, lowest height and last patch; and
+    //- whether p is given anywhere instead
+    struct openings
+    {
+        scalar least, most, lowest;
+        label patch;
+        bool byWeight;
+
+        openings
+        (
+            const fvMesh& mesh,
+            const flowBoundary& boundary,
+            const scalarField& rho,
+            const vector& g
+        )
+        :
+            least(GREAT),
+            most(-GREAT),
+            lowest(GREAT),
+            patch(-1),
+            byWeight(false)
+        {
+            const vector up(mag(g) > 0 ? -g/mag(g) : vector(Zero));
+
+            for (const label patchi : boundary.patches())
+            {
+                const auto is = boundary.pressureMeaning(patchi);
+                byWeight = byWeight || patchFieldTypes::byWeight(is);
+                if
+                (
+                    !patchFieldTypes::givesValue(is)
+                 || patchFieldTypes::byWeight(is)
+                )
+                {
+                    continue;
+                }
+
+                patch = patchi;
+                for (const label celli : mesh.boundary()[patchi].faceCells())
+                {
+                    least = min(least, rho[celli]);
+                    most = max(most, rho[celli]);
+                }
+                const polyPatch& pp = mesh.boundaryMesh()[patchi];
+                for (const point& p : pp.localPoints())
+                {
+                    lowest = min(lowest, p & up);
+                }
+            }
+            reduce(least, minOp<scalar>());
+            reduce(most, maxOp<scalar>());
+            reduce(lowest, minOp<scalar>());
+
+            if (patch < 0)
+            {
+                least = 0;
+            }
+        }
+    };
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::cosseratSystem::checkPeriodic(const coupledPolyPatch& pp) const
@@ -75,8 +141,19 @@ Foam::vector Foam::cosseratSystem::periodicGravity() const
 void Foam::cosseratSystem::setHeights(const vector& periodic)
 {
     const scalarField& rho = materials_.rho().primitiveField();
+    const scalar gh = height_.gh(gravity(), periodic);
 
-    fromPRgh_ = rho*height_.gh(gravity(), periodic);
+    // Of the constant that a pressure may have as much as leaves small numbers
+    // where p_rgh is given far away
+    const openings given(mesh_, boundary_, rho, gravity());
+    const bool far = mag(gh) > 1e3*mag(gravity())*mesh_.bounds().mag();
+    const scalar level = far && !given.byWeight ? given.least*gh : 0;
+
+    fromPRgh_ = rho*gh - level;
+    rhoGh_ =
+        rho
+       *(gradientGravity_ & (mesh_.C().primitiveField() - height_.middle()))
+      + level;
 
     givenFromPRgh_ = scalarField(halo_.size() - nCells_, Zero);
     for (const label patchi : boundary_.patches())
@@ -99,48 +176,24 @@ void Foam::cosseratSystem::setHeights(const vector& periodic)
         }
     }
 
-    checkHeights();
+    if (!height_.given())
+    {
+        checkHeights();
+    }
 }
 
 
 void Foam::cosseratSystem::checkHeights() const
 {
-    if (height_.given() || mag(gravity()) <= 0)
-    {
-        return;
-    }
-
-    // Of faces whose p_rgh is given: densities, and the height of the lowest
-    const scalarField& rho = materials_.rho().primitiveField();
-    const vector up(-normalised(gravity()));
-    scalar least = GREAT, most = -GREAT, lowest = GREAT;
-    label last = -1;
-
-    for (const label patchi : boundary_.patches())
-    {
-        const patchFieldTypes::meaning is = boundary_.pressureMeaning(patchi);
-        if (patchFieldTypes::givesValue(is) && !patchFieldTypes::byWeight(is))
-        {
-            last = patchi;
-            for (const label celli : mesh_.boundary()[patchi].faceCells())
-            {
-                least = min(least, rho[celli]);
-                most = max(most, rho[celli]);
-            }
-            for (const point& p : mesh_.boundaryMesh()[patchi].localPoints())
-            {
-                lowest = min(lowest, p & up);
-            }
-        }
-    }
-    reduce(least, minOp<scalar>());
-    reduce(most, maxOp<scalar>());
-    reduce(lowest, minOp<scalar>());
+    const openings given
+    (
+        mesh_, boundary_, materials_.rho().primitiveField(), gravity()
+    );
 
     if
     (
-        last >= 0 && most - least > 1e-9*most
-     && mag(lowest) > 1e-6*mesh_.bounds().mag()
+        given.patch >= 0 && given.most - given.least > 1e-9*given.most
+     && mag(given.lowest) > 1e-6*mesh_.bounds().mag()
     )
     {
         const dictionary where
@@ -148,15 +201,16 @@ void Foam::cosseratSystem::checkHeights() const
             fileName
             (
                 mesh_.time().timeName()/"p_rgh.boundaryField."
-              + mesh_.boundary()[last].name()
+              + mesh_.boundary()[given.patch].name()
             )
         );
 
         FatalIOErrorInFunction(where)
             << "Entry 'type' gives p_rgh = p - rho gh, and densities are "
-            << least << " to " << most << " kg/m3 where it is given, so that"
-            << " the flow depends on what heights are counted from; the lowest"
-            << " place where it is given is at height " << lowest << nl
+            << given.least << " to " << given.most << " kg/m3 where it is"
+            << " given, so that the flow depends on what heights are counted"
+            << " from; the lowest place where it is given is at height "
+            << given.lowest << nl
             << "    Allowed: a file constant/hRef, of the height where p_rgh"
             << " is p (0 to count from the origin); or type prghPressure,"
             << " which gives p" << exit(FatalIOError);
