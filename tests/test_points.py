@@ -48,12 +48,14 @@ def test_linear_velocity_is_exact(box, velocity):
 
 
 def test_points_slide_along_oblique_walls(box):
-    """A uniform flow through the walls of a parallelogram: of 32 x 32 points
-    8 x 24 stay free, all others end on a wall or in the acute corner."""
-    flow = ("type fixedValue; value uniform (0.925 0.25 0);",
-            "type zeroGradient;")
+    """A driven parallelogram in steps of some cells, with velocities that are
+    not those of the fluxes: points end on walls and in acute corners, and all
+    are there still."""
+    still = ("type noSlip;", "type zeroGradient;")
     case = box(n=8, shear=0.7, materials={"a": {"eta": 1, "etaC": 0, "R": 0}},
-               walls={side: flow for side in TURN})
+               walls={**{side: still for side in TURN},
+                      "top": ("type fixedValue; value uniform (4 0 0);",
+                              "type zeroGradient;")})
     add_points(case, "{ type all; material a; }", velocity="cellPoint",
                minPointsPerCell=0)
     case.substitute("system/controlDict", {
@@ -63,7 +65,7 @@ def test_points_slide_along_oblique_walls(box):
     right, top = 0.5 - (x - 0.7*y), 0.5 - y
     assert right.min() > -1e-9 and top.min() > -1e-9
     free = (right > 1e-9) & (top > 1e-9)
-    assert len(x) == 32*32 and free.sum() == 8*24
+    assert len(x) == 32*32 and 0 < (~free).sum() < 200
 
 
 def test_linear_velocity_is_exact_on_triangles(tmp_path):
@@ -72,7 +74,7 @@ def test_linear_velocity_is_exact_on_triangles(tmp_path):
         parameters = {"velocity": velocity, "triangles": True}
         start, chosen = ring(tmp_path/"start", "RK4", 1e-12, 1, **parameters)
         xy, _ = ring(tmp_path/velocity, "RK4", 1, 80, **parameters)
-        return np.hypot(*(xy - start)[chosen].T).max()
+        return np.hypot(*(xy[chosen] - start[chosen]).T).max()
 
     assert miss("conservativeLinear") < 1e-5
     assert miss("faceFlux") > 1e-3

@@ -134,7 +134,7 @@ def test_rayleigh_taylor_can_fail(tutorial):
     """One per cent of the viscosity shows in both."""
     peak, time = overturn(tutorial, eta=1.01)
     assert peak < 3.09e-3*(1 - 1.4e-2)
-    assert time > 209 + 4
+    assert time > 209 + 2.5
 
 
 def slump(tutorial, target, **materials):

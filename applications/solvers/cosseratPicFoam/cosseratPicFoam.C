@@ -42,7 +42,8 @@ Usage
       - constant/materialPointsProperties: the points, see materialPointCloud;
         without it there are none, and with several materials their fractions
         alpha.\<name\> are read from the start time
-      - constant/g: gravity, where a material has a density
+      - constant/g: gravity, where a material has a density; constant/hRef: the
+        height of p_rgh, see heightReference
       - 0/U, 0/p_rgh, 0/omega (the last where a material has etaC)
       - system/fvSolution, creepingFlow: see creepingFlow
       - system/controlDict: adjustTimeStep and maxCo set the time step by the
@@ -69,9 +70,11 @@ SourceFiles
 
 #include "fvCFD.H"
 #include "checkedEntry.H"
+#include "centreGeometry.H"
 #include "checkedText.H"
 #include "continuedTime.H"
 #include "creepingFlow.H"
+#include "gravityMeshObject.H"
 #include "materialPointCloud.H"
 #include "progress.H"
 #include "sigFpe.H"
@@ -103,6 +106,10 @@ int main(int argc, char *argv[])
     #include "createFields.H"
     progress done(runTime);
     flow.solve();
+    if (points.valid())
+    {
+        points->checkInflow(flow.U(), phi);
+    }
     done.spent("flow");
 
     while (runTime.run())

@@ -80,6 +80,29 @@ namespace Foam
 
         return GeometricField<Type, fvPatchField, volMesh>(io, mesh);
     }
+
+    //- The values beyond coupled patches; others are set by the system
+    static void evaluateCoupled(volScalarField& field)
+    {
+        const Pstream::commsTypes type = Pstream::commsTypes::nonBlocking;
+        const label startOfRequests = Pstream::nRequests();
+
+        for (fvPatchScalarField& pf : field.boundaryFieldRef())
+        {
+            if (pf.coupled())
+            {
+                pf.initEvaluate(type);
+            }
+        }
+        Pstream::waitRequests(startOfRequests);
+        for (fvPatchScalarField& pf : field.boundaryFieldRef())
+        {
+            if (pf.coupled())
+            {
+                pf.evaluate(type);
+            }
+        }
+    }
 }
 
 
@@ -248,11 +271,23 @@ void Foam::creepingFlow::checkLoads() const
 void Foam::creepingFlow::pack()
 {
     const label n = system_.nCells();
+    const bool first = x_.size() != system_.size();
     x_.setSize(system_.size());
 
     SubList<scalar>(x_, n, 0) = U_.primitiveField().component(frame_.i0())();
     SubList<scalar>(x_, n, n) = U_.primitiveField().component(frame_.i1())();
-    SubList<scalar>(x_, n, 2*n) = pRgh_.primitiveField();
+    if (first)
+    {
+        // A solution read is taken to the heights of the system; a uniform
+        // field is none, and as good a guess there
+        const scalarField& pRgh = pRgh_.primitiveField();
+        SubField<scalar> p(x_, n, 2*n);
+        p = pRgh;
+        if (gMax(pRgh) > gMin(pRgh))
+        {
+            p = pRgh + system_.fromPRgh();
+        }
+    }
 
     if (system_.cosserat())
     {
@@ -268,8 +303,43 @@ void Foam::creepingFlow::pack()
 }
 
 
+void Foam::creepingFlow::setPRgh()
+{
+    SubField<scalar> p(x_, system_.nCells(), 2*system_.nCells());
+    const scalarField& from = system_.fromPRgh();
+
+    // A restart has what p_rgh leaves of the pressure: so has the run that is
+    // not stopped, as long as it leaves most of the digits
+    const bool near = gMax(mag(from)) < 1e3*gMax(mag(p));
+    bool changed = false;
+
+    forAll(from, celli)
+    {
+        scalar& pRgh = pRgh_[celli];
+        if (pRgh + from[celli] != p[celli])
+        {
+            pRgh = p[celli] - from[celli];
+            const scalar left = pRgh + from[celli];
+            changed = changed || left != p[celli];
+            if (near)
+            {
+                p[celli] = left;
+            }
+        }
+    }
+
+    if (near && returnReduce(changed, orOp<bool>()))
+    {
+        scalarField r;
+        system_.residual(x_, r);
+    }
+}
+
+
 void Foam::creepingFlow::unpack()
 {
+    setPRgh();
+
     const label n = system_.nCells();
     const vector e(frame_.e());
     const tmp<volTensorField> tgrad(system_.gradU());
@@ -278,18 +348,18 @@ void Foam::creepingFlow::unpack()
     forAll(U_, celli)
     {
         U_[celli] = frame_.inSpace(x_[celli], x_[n + celli]);
-        pRgh_[celli] = x_[2*n + celli];
         omega_[celli] =
             system_.cosserat() && !system_.rotationUndetermined(celli)
           ? x_[3*n + celli]
           : e & (*skew(grad[celli]));
     }
 
-    p_.primitiveFieldRef() = pRgh_.primitiveField() + system_.rhoGh();
+    p_.primitiveFieldRef() = SubField<scalar>(x_, n, 2*n) + system_.rhoGh();
 
     // Coupled patches by evaluation, then the others as the system has them
     U_.correctBoundaryConditions();
     omega_.correctBoundaryConditions();
+    evaluateCoupled(pRgh_);
     p_.correctBoundaryConditions();
 
     for (const label patchi : boundary_.patches())
@@ -298,7 +368,7 @@ void Foam::creepingFlow::unpack()
         const labelUList& cells = patch.faceCells();
 
         vectorField Ub(patch.size());
-        scalarField omegab(patch.size()), pb(patch.size()), rghb(patch.size());
+        scalarField omegab(patch.size()), pRghb(patch.size()), pb(patch.size());
         forAll(patch, i)
         {
             const label slot = halo_.start(patchi) + i;
@@ -316,14 +386,18 @@ void Foam::creepingFlow::unpack()
                     omegab[i] = system_.boundaryRotation(slot);
                 }
             }
-            pb[i] = system_.boundaryPressure(slot);
-            rghb[i] = system_.rhoGh()[cells[i]];
+            const scalar p = system_.boundaryPressure(slot);
+            pb[i] = p + system_.boundaryRhoGh(slot);
+            pRghb[i] =
+                boundary_.pressureFixed(boundary_.at(slot))
+              ? boundary_.pressure(boundary_.at(slot))
+              : p - system_.fromPRgh()[cells[i]];
         }
 
         U_.boundaryFieldRef()[patchi] == Ub;
         omega_.boundaryFieldRef()[patchi] == omegab;
-        pRgh_.boundaryFieldRef()[patchi] == pb;
-        p_.boundaryFieldRef()[patchi] == pb + rghb;
+        pRgh_.boundaryFieldRef()[patchi] == pRghb;
+        p_.boundaryFieldRef()[patchi] == pb;
     }
 
     system_.getFluxes(phi_);
@@ -525,6 +599,28 @@ const Foam::creepingFlow& Foam::creepingFlow::find(const fvMesh& mesh)
 void Foam::creepingFlow::solve()
 {
     boundary_.update();
+    solveOnce();
+
+    // What the flow changes of the pressures that are given
+    const label most = 100;
+    for (label i = 0; boundary_.followsFlow() && boundary_.update(); ++i)
+    {
+        if (i == most)
+        {
+            FatalErrorInFunction
+                << "p_rgh of total pressures does not come to rest at time "
+                << mesh_.time().timeName() << " in " << most << " solves: the"
+                << " flow is too fast for the rest to be creeping" << nl
+                << "    Allowed: prghPressure and fixedValue"
+                << exit(FatalError);
+        }
+        solveOnce();
+    }
+}
+
+
+void Foam::creepingFlow::solveOnce()
+{
     system_.updateWalls();
 
     // As long as no property changes the matrices are those of the last solve

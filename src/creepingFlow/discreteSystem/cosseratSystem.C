@@ -619,37 +619,18 @@ void Foam::cosseratSystem::setGravity()
 {
     gravity_.setSize(nFaces_);
     gravity_ = 0;
-    rhoGh_ = scalarField(nCells_, Zero);
+
+    const vector gCyclic(periodicGravity());
+    gradientGravity_ = gravity() - gCyclic;
+    setHeights(gCyclic);
 
     if (!materials_.parts().has(sceneParts::GRAVITY))
     {
         return;
     }
 
-    const vector g(gravity());
-
-    // The part along a cyclic direction cannot be the gradient of a periodic
-    // pressure
-    vector gCyclic(Zero);
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        if (isA<coupledPolyPatch>(pp) && pp.size())
-        {
-            const coupledPolyPatch& cpp = refCast<const coupledPolyPatch>(pp);
-            if (cpp.parallel() && cpp.separated())
-            {
-                const vector along(normalised(cpp.separation()[0]));
-                gCyclic = gCyclic - (gCyclic & along)*along
-                  + (g & along)*along;
-            }
-        }
-    }
-    reduce(gCyclic, maxMagSqrOp<vector>());
-
-    const vector gRest(g - gCyclic);
-    const vectorField& C = mesh_.C().primitiveField();
-
-    rhoGh_ = rho_*(gRest & C);
+    const vector& gRest = gradientGravity_;
+    const point& middle = height_.middle();
 
     scalarField rhoExt(halo_.size());
     SubList<scalar>(rhoExt, nCells_) = rho_;
@@ -663,7 +644,7 @@ void Foam::cosseratSystem::setGravity()
         gravity_[f] =
             (w_[f]*rhoExt[P] + (1 - w_[f])*rhoExt[N])
            *(gCyclic[i0]*m0_[f] + gCyclic[i1]*m1_[f])
-          - (gRest & Cf)*dc_[f]*(rhoExt[N] - rhoExt[P]);
+          - (gRest & (Cf - middle))*dc_[f]*(rhoExt[N] - rhoExt[P]);
     };
 
     const surfaceVectorField& Cf = mesh_.Cf();
@@ -700,6 +681,7 @@ Foam::cosseratSystem::cosseratSystem
     boundary_(boundary),
     materials_(materials),
     load_(mesh),
+    height_(mesh),
     stabilisation_(mesh, frame, halo),
     corners_(mesh, frame, halo, boundary, wantCorners),
     cosserat_(materials.parts().has(sceneParts::MICROROTATION)),
@@ -713,6 +695,7 @@ Foam::cosseratSystem::cosseratSystem
     nFaces_(nInternal_ + halo.size() - nCells_),
     V_(mesh.V()),
     anyJump_(false),
+    gradientGravity_(Zero),
     rhoGh_(nCells_, Zero)
 {
     setGeometry();

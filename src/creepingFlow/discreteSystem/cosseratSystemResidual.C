@@ -353,6 +353,13 @@ void Foam::cosseratSystem::calcForce
             }
         }
     }
+    if (driven)
+    {
+        forAll(boundary_.jump(), i)
+        {
+            ff_[nInternal_ + i] += dc_[nInternal_ + i]*boundary_.jump()[i];
+        }
+    }
 
     for (const label f : oneSided_)
     {
@@ -360,7 +367,7 @@ void Foam::cosseratSystem::calcForce
         ff_[f] = 0;
         if (boundary_.pressureFixed(i))
         {
-            const scalar pb = driven ? boundary_.pressure(i) : 0;
+            const scalar pb = driven ? givenPressure(i) : 0;
             ff_[f] = -dc_[f]*(pb - p_[own_[f]]) + driven*gravity_[f];
         }
     }

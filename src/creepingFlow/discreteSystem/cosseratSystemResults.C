@@ -84,8 +84,20 @@ Foam::scalar Foam::cosseratSystem::boundaryPressure(const label slot) const
 
     return
         boundary_.pressureFixed(slot - nCells_)
-      ? boundary_.pressure(slot - nCells_)
+      ? givenPressure(slot - nCells_)
       : p_[P] - (f0_[P]*m0_[f] + f1_[P]*m1_[f])/dc_[f];
+}
+
+
+Foam::scalar Foam::cosseratSystem::boundaryRhoGh(const label slot) const
+{
+    const label f = nInternal_ + slot - nCells_;
+    const label P = own_[f];
+    const vector way(frame_.inSpace(m0_[f], m1_[f])/dc_[f]);
+
+    return
+        rhoGh_[P]
+      + rho_[P]*(gradientGravity_ & way);
 }
 
 
@@ -215,8 +227,21 @@ void Foam::cosseratSystem::netForce
 
     for (const label f : oneSided_)
     {
-        const vector t(frame_.inSpace(n1_[f], -n0_[f]));
-        add(boundary_.traction(f - nInternal_)*S_[f]*(t & direction));
+        const label i = f - nInternal_;
+        const vector n(frame_.inSpace(n0_[f], n1_[f]));
+        add(boundary_.traction(i)*S_[f]*((n ^ frame_.e()) & direction));
+        if (boundary_.pressureFixed(i))
+        {
+            const scalar p = givenPressure(i) + boundaryRhoGh(nei_[f]);
+            add(-p*S_[f]*(n & direction));
+        }
+    }
+    forAll(boundary_.jump(), i)
+    {
+        // A cyclic face is seen from both sides
+        const label f = nInternal_ + i;
+        const vector n(frame_.inSpace(n0_[f], n1_[f]));
+        add(0.5*boundary_.jump()[i]*S_[f]*(n & direction));
     }
 
     const vectorField b(bodyForce());

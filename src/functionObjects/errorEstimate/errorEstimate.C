@@ -26,6 +26,7 @@ License
 #include "checkedEntry.H"
 #include "openfoamVersion.H"
 #include "globalIndex.H"
+#include "gravityMeshObject.H"
 #include "zeroGradientFvPatchFields.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -336,7 +337,6 @@ bool Foam::functionObjects::errorEstimate::write()
 {
     // After a run, as postProcess, the flow is read
     autoPtr<materialFields> materials;
-    autoPtr<uniformDimensionedVectorField> gravity;
     autoPtr<creepingFlow> read;
     const creepingFlow* flow =
         mesh_.findObject<creepingFlow>(creepingFlow::typeName);
@@ -346,16 +346,7 @@ bool Foam::functionObjects::errorEstimate::write()
         materials.reset(new materialFields(mesh_));
         if (materials->parts().has(sceneParts::GRAVITY))
         {
-            gravity.reset
-            (
-                new uniformDimensionedVectorField
-                (
-                    IOobject
-                    (
-                        "g", time_.constant(), time_, IOobject::MUST_READ
-                    )
-                )
-            );
+            meshObjects::gravity::New(time_);
         }
         materials->correct();
         read.reset(new creepingFlow(materials()));

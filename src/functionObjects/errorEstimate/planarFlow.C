@@ -22,6 +22,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "planarFlow.H"
+#include "centreGeometry.H"
+#include "patchFieldTypes.H"
 #include "tangentialTractionFvPatchVectorField.H"
 #include "coupleTractionFvPatchScalarField.H"
 #include "processorPolyPatch.H"
@@ -146,7 +148,12 @@ Foam::planarFlow::newField
         const fvPatchField<Type>& pf = like.boundaryField()[patch.index()];
         dictionary dict;
 
-        if (polyPatch::constraintType(patch.type()))
+        const bool jump =
+            patchFieldTypes::of(like.name(), pf.type())
+         == patchFieldTypes::JUMP;
+        const bool constraint = polyPatch::constraintType(patch.type());
+
+        if (constraint && !jump)
         {
             dict.add("type", patch.type());
         }
@@ -157,7 +164,15 @@ Foam::planarFlow::newField
             pf.write(os);
             IStringStream is(os.str());
             dict = dictionary(is);
+        }
 
+        if (jump)
+        {
+            // A result, of the sizes there
+            dict.remove("value");
+        }
+        else if (!constraint)
+        {
             const labelList& sides = patchFaceSides[patch.index()];
             setEntry(dict, "value", Field<Type>(sideValues, sides));
             if (pf.type() == tractionType)
@@ -431,6 +446,7 @@ void Foam::planarFlow::solve()
     (
         geometry_.toMesh(mesh_, frame_, patchFaceSides)
     );
+    centreGeometry(mesh());
 
     // GAMG counts on cells of every processor, and refuses a mesh that would
     // leave too few to each

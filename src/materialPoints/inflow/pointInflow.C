@@ -25,6 +25,8 @@ License
 #include "checkedEntry.H"
 #include "materialPointCloud.H"
 #include "meshTools.H"
+#include "noSlipFvPatchVectorField.H"
+#include "zeroGradientFvPatchFields.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -69,26 +71,77 @@ Foam::point Foam::pointInflow::place
 }
 
 
+void Foam::pointInflow::checkEntry
+(
+    const dictionary& inflow,
+    const label patchi,
+    const volVectorField& U
+) const
+{
+    const fvPatchVectorField& Up = U.boundaryField()[patchi];
+
+    if
+    (
+        Up.coupled() || isA<noSlipFvPatchVectorField>(Up)
+     || !(Up.fixesValue() || isA<zeroGradientFvPatchVectorField>(Up))
+    )
+    {
+        FatalIOErrorInFunction(inflow)
+            << "Entry '" << Up.patch().name() << "' of inflow is a patch of"
+            << " type " << Up.patch().type() << ", where U is " << Up.type()
+            << nl
+            << "    Allowed: patches where U is given or zeroGradient; nothing"
+            << " comes in through others" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::pointInflow::readSums(const IOobject::readOption read)
+{
+    IOobject io
+    (
+        "inflowVolume", mesh_.time().timeName(), mesh_, read,
+        IOobject::AUTO_WRITE
+    );
+
+    if
+    (
+        read == IOobject::NO_READ
+     || io.typeHeaderOk<surfaceScalarField>(true)
+    )
+    {
+        sum_.reset
+        (
+            new surfaceScalarField
+            (
+                io, mesh_, dimensionedScalar(dimVolume, Zero)
+            )
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::pointInflow::pointInflow
 (
-    const fvMesh& mesh,
+    const volVectorField& U,
     const wordList& materials,
     const dictionary& dict,
     const label pointsPerCell
 )
 :
-    mesh_(mesh),
+    mesh_(U.mesh()),
     dict_(dict),
     pointsPerCell_(pointsPerCell),
-    material_(mesh.boundary().size(), -1)
+    material_(mesh_.boundary().size(), materials.size() > 1 ? -1 : 0),
+    waiting_(0)
 {
     const dictionary& inflow = dict.subOrEmptyDict("inflow");
 
     for (const entry& e : inflow)
     {
-        const label patchi = mesh.boundaryMesh().findPatchID(e.keyword());
+        const label patchi = mesh_.boundaryMesh().findPatchID(e.keyword());
 
         if (patchi < 0 || !e.isDict())
         {
@@ -96,17 +149,10 @@ Foam::pointInflow::pointInflow
                 << "Entry '" << e.keyword() << "' of inflow is "
                 << (e.isDict() ? "no patch" : "no dictionary") << nl
                 << "    Allowed: one dictionary a patch, of "
-                << flatOutput(mesh.boundaryMesh().names())
+                << flatOutput(mesh_.boundaryMesh().names())
                 << exit(FatalIOError);
         }
-        if (!materialPoint::isOpen(mesh.boundaryMesh()[patchi]))
-        {
-            FatalIOErrorInFunction(inflow)
-                << "Entry '" << e.keyword() << "' of inflow is a patch of type "
-                << mesh.boundary()[patchi].type() << nl
-                << "    Allowed: type patch in constant/polyMesh/boundary;"
-                << " nothing comes in through others" << exit(FatalIOError);
-        }
+        checkEntry(inflow, patchi, U);
 
         checkedEntry::only(e.dict(), {"material"});
         material_[patchi] = materialPointCloud::findMaterial
@@ -115,70 +161,82 @@ Foam::pointInflow::pointInflow
         );
     }
 
-    DynamicList<label> open;
-    for (const polyPatch& pp : mesh.boundaryMesh())
-    {
-        if (materialPoint::isOpen(pp))
-        {
-            open.append(pp.index());
-        }
-    }
-    open_ = open;
-
-    if (open_.size())
-    {
-        sum_.reset
-        (
-            new surfaceScalarField
-            (
-                IOobject
-                (
-                    "inflowVolume",
-                    mesh.time().timeName(),
-                    mesh,
-                    IOobject::READ_IF_PRESENT,
-                    IOobject::AUTO_WRITE
-                ),
-                mesh,
-                dimensionedScalar(dimVolume, Zero)
-            )
-        );
-    }
+    readSums(IOobject::READ_IF_PRESENT);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::pointInflow::check
+(
+    const volVectorField& U,
+    const openFaces& faces
+) const
+{
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        const label patchi = patch.index();
+
+        if (material_[patchi] < 0 && U.boundaryField()[patchi].fixesValue())
+        {
+            forAll(patch, i)
+            {
+                if (faces.in(patch.start() + i))
+                {
+                    refuse(patchi);
+                }
+            }
+        }
+    }
+}
+
+
 void Foam::pointInflow::enter
 (
     materialPointCloud& cloud,
     const pointVelocity& velocity,
+    const volVectorField& U,
     const surfaceScalarField& phi,
     const scalar dt,
     label& nIn,
     scalar& volumeIn
 )
 {
+    const openFaces faces(U, phi);
+    check(U, faces);
+
+    if (!sum_.valid())
+    {
+        if (!returnReduce(faces.anyIn(), orOp<bool>()))
+        {
+            return;
+        }
+        readSums(IOobject::NO_READ);
+    }
+    waiting_ = 0;
+
     // Sums of equal parts miss a whole by rounding
     auto whole = [](const scalar x) { return label(std::floor(x + 1e-6)); };
 
     const scalar golden = 0.5*(std::sqrt(5.0) - 1);
 
-    for (const label patchi : open_)
+    for (const fvPatch& patch : mesh_.boundary())
     {
-        const fvPatch& patch = mesh_.boundary()[patchi];
+        const label patchi = patch.index();
         const scalarField& phip = phi.boundaryField()[patchi];
         scalarField& sums = sum_->boundaryFieldRef()[patchi];
 
         forAll(phip, i)
         {
-            if (phip[i] >= 0)
+            const label celli = patch.faceCells()[i];
+            const scalar volume = mesh_.V()[celli]/pointsPerCell_;
+
+            if (!faces.in(patch.start() + i))
             {
+                waiting_ += sums[i] - whole(sums[i]/volume)*volume;
                 continue;
             }
 
-            const label celli = patch.faceCells()[i];
-            const scalar volume = mesh_.V()[celli]/pointsPerCell_;
             const scalar before = sums[i]/volume;
             sums[i] -= phip[i]*dt;
             const scalar now = sums[i]/volume;
@@ -206,12 +264,20 @@ void Foam::pointInflow::enter
 
                 const scalar left =
                     dt*min(max((now - k)/(now - before), scalar(0)), scalar(1));
-                p->track(left*velocity.value(*p), 0);
+                const scalar rest = p->track(left*velocity.value(*p), 0);
+
+                // Through a corner of the body in one step
+                if (rest > 0 && p->onBoundaryFace() && faces.out(p->face()))
+                {
+                    delete p;
+                    continue;
+                }
                 cloud.addParticle(p);
 
                 ++nIn;
                 volumeIn += volume;
             }
+            waiting_ += sums[i] - whole(now)*volume;
         }
     }
 }

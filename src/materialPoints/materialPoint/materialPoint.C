@@ -24,10 +24,6 @@ License
 #include "materialPointCloud.H"
 #include "pointVelocity.H"
 #include "pointIntegration.H"
-#include "symmetryPolyPatch.H"
-#include "symmetryPlanePolyPatch.H"
-#include "wallPolyPatch.H"
-#include "emptyPolyPatch.H"
 #include "coupledPolyPatch.H"
 #include <cmath>
 
@@ -73,19 +69,6 @@ Foam::materialPoint::materialPoint
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-bool Foam::materialPoint::isOpen(const polyPatch& patch)
-{
-    return !
-    (
-        isA<coupledPolyPatch>(patch)
-     || isA<wallPolyPatch>(patch)
-     || isA<symmetryPolyPatch>(patch)
-     || isA<symmetryPlanePolyPatch>(patch)
-     || isA<emptyPolyPatch>(patch)
-    );
-}
-
 
 void Foam::materialPoint::startStep()
 {
@@ -182,7 +165,7 @@ bool Foam::materialPoint::hitPatch(materialPointCloud&, trackingData& td)
         return false;
     }
 
-    if (isOpen(pp))
+    if (td.open.out(face()))
     {
         td.keepParticle = false;
         ++td.nOut[patch()];

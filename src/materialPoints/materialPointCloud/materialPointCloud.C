@@ -135,7 +135,7 @@ Foam::materialPointCloud::materialPointCloud
     census_(),
     population_(mesh_, dict_, seeding_.pointsPerCell()),
     velocity_(pointVelocity::New(dict_, coupling_->U(), coupling_->phi())),
-    inflow_(mesh_, materials, dict_, seeding_.pointsPerCell()),
+    inflow_(U, materials, dict_, seeding_.pointsPerCell()),
     correction_(dict_),
     account_()
 {
@@ -229,7 +229,8 @@ Foam::materialPoint::trackingData Foam::materialPointCloud::track
         p.startStep();
     }
 
-    materialPoint::trackingData td(*this, *velocity_, *integration_, dt);
+    const openFaces open(coupling_->U(), coupling_->phi());
+    materialPoint::trackingData td(*this, *velocity_, *integration_, open, dt);
     Cloud<materialPoint>::move(*this, td, dt);
 
     return td;
@@ -270,7 +271,10 @@ void Foam::materialPointCloud::move(const scalar dt)
 
     label nIn = 0;
     scalar volumeIn = 0;
-    inflow_.enter(*this, *velocity_, coupling_->phi(), dt, nIn, volumeIn);
+    inflow_.enter
+    (
+        *this, *velocity_, coupling_->U(), coupling_->phi(), dt, nIn, volumeIn
+    );
 
     census_.take(*this);
     const label nAdded = population_.refill(*this);
@@ -284,6 +288,17 @@ void Foam::materialPointCloud::move(const scalar dt)
     (
         *this, nIn, volumeIn, nAdded, nDeleted, td.nOut, td.volumeOut
     );
+    account_.compare(*this, inflow_.waiting());
+}
+
+
+void Foam::materialPointCloud::checkInflow
+(
+    const volVectorField& U,
+    const surfaceScalarField& phi
+) const
+{
+    inflow_.check(U, openFaces(U, phi));
 }
 
 

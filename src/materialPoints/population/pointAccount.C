@@ -23,6 +23,7 @@ License
 
 #include "pointAccount.H"
 #include "materialPointCloud.H"
+#include "volFields.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -32,7 +33,10 @@ Foam::pointAccount::pointAccount()
     volumeInside_(0),
     nIn_(0),
     nAdded_(0),
-    nDeleted_(0)
+    nDeleted_(0),
+    share0_(1),
+    share_(1),
+    told_(0)
 {}
 
 
@@ -42,6 +46,7 @@ void Foam::pointAccount::open(const materialPointCloud& cloud)
 {
     nInside_ = cloud.census().nPoints();
     volumeInside_ = sum(cloud.census().volume());
+    share0_ = volumeInside_/gSum(cloud.pMesh().cellVolumes());
     const label nPatches = cloud.pMesh().boundaryMesh().nNonProcessor();
     nOut_.setSize(nPatches, 0);
     volumeOut_.setSize(nPatches);
@@ -102,6 +107,43 @@ void Foam::pointAccount::close
 }
 
 
+void Foam::pointAccount::compare
+(
+    const materialPointCloud& cloud,
+    const scalar waiting
+)
+{
+    const polyMesh& mesh = cloud.pMesh();
+    const scalar volume =
+        volumeInside_ + returnReduce(waiting, sumOp<scalar>());
+    share_ = volume/gSum(mesh.cellVolumes());
+    const scalar change = mag(share_ - share0_);
+
+    const volScalarField* invB = mesh.findObject<volScalarField>("invB");
+    const bool compressible = invB && gMax(invB->primitiveField()) > 0;
+
+    if (change > 0.1 && !compressible)
+    {
+        FatalErrorInFunction
+            << "Material points fill " << 100*share_ << " % of the mesh at"
+            << " time " << mesh.time().timeName() << ", " << 100*share0_
+            << " % at the start" << nl
+            << "    As much has to come in as goes out: look at U and the"
+            << " types of its patches, at inflow in"
+            << " constant/materialPointsProperties, and for steps that are too"
+            << " long" << exit(FatalError);
+    }
+    if (change > told_ + 0.02)
+    {
+        told_ = change;
+        WarningInFunction
+            << "Material points fill " << 100*share_ << " % of the mesh at"
+            << " time " << mesh.time().timeName() << ", " << 100*share0_
+            << " % at the start" << endl;
+    }
+}
+
+
 void Foam::pointAccount::report(const materialPointCloud& cloud) const
 {
     longSum volumeOut;
@@ -123,7 +165,7 @@ void Foam::pointAccount::report(const materialPointCloud& cloud) const
                 << cloud.pMesh().boundaryMesh()[patchi].name();
         }
     }
-    Info<< endl;
+    Info<< "; of the mesh's volume " << 100*share_ << " %" << endl;
 }
 
 

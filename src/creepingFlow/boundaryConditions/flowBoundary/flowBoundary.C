@@ -27,22 +27,9 @@ License
 #include "planarFrame.H"
 #include "tangentialTractionFvPatchVectorField.H"
 #include "coupleTractionFvPatchScalarField.H"
-#include "basicSymmetryFvPatchFields.H"
-#include "symmetryFvPatch.H"
-#include "symmetryPlaneFvPatch.H"
-#include "symmetryPlaneFvPatchFields.H"
-#include "zeroGradientFvPatchFields.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-    static bool isMirror(const fvPatch& patch)
-    {
-        return isA<symmetryFvPatch>(patch) || isA<symmetryPlaneFvPatch>(patch);
-    }
-}
-
+#include "jumpCyclicFvPatchField.H"
+#include "processorCyclicPolyPatch.H"
+#include "StringStream.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -51,6 +38,7 @@ void Foam::flowBoundary::refuse
 (
     const GeometricField<Type, fvPatchField, volMesh>& field,
     const label patchi,
+    const string& remark,
     const string& allowed
 ) const
 {
@@ -64,43 +52,88 @@ void Foam::flowBoundary::refuse
     );
 
     FatalIOErrorInFunction(where)
-        << "Entry 'type' is " << field.boundaryField()[patchi].type() << nl
+        << "Entry 'type' is " << field.boundaryField()[patchi].type()
+        << remark.c_str() << nl
         << "    Allowed: " << allowed.c_str() << nl
+        << "    All types and what they mean: docs/patchFields.md"
         << exit(FatalIOError);
+}
+
+
+template<class Type>
+Foam::patchFieldTypes::meaning Foam::flowBoundary::meaningOf
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field,
+    const label patchi,
+    const bool coupled
+) const
+{
+    typedef patchFieldTypes types;
+
+    const fvPatchField<Type>& pf = field.boundaryField()[patchi];
+    const word& name = field.name();
+    const types::row* r = types::find(name, pf.type());
+    types::meaning is = types::of(name, pf.type());
+    string why(r ? r->remark : "");
+
+    // What the types of the mesh's patches ask for
+    if (is != types::REFUSED && coupled != (is == types::COUPLED))
+    {
+        is = coupled && is == types::JUMP ? is : types::REFUSED;
+        why = "the patch of the mesh is of type " + pf.patch().type();
+    }
+
+    // Of which a profile makes one that follows the flow
+    if (pf.type() == "flowRateInletVelocity")
+    {
+        OStringStream os;
+        pf.write(os);
+        const dictionary dict(IStringStream(os.str())());
+
+        if (dict.getOrDefault<Switch>("extrapolateProfile", false))
+        {
+            is = types::REFUSED;
+            why = "with extrapolateProfile its value follows the flow";
+        }
+    }
+
+    if (is == types::REFUSED)
+    {
+        refuse
+        (
+            field, patchi, why.empty() ? why : " (" + why + ")",
+            coupled
+          ? string(pf.patch().type() + (name == pRgh_.name() ? ", and on"
+            " cyclic patches fixedJump, uniformJump" : ""))
+          : types::allowed(name)
+        );
+    }
+
+    return is;
 }
 
 
 void Foam::flowBoundary::classifyVelocity(const label patchi)
 {
     const fvPatchVectorField& pf = U_.boundaryField()[patchi];
-    velocityKind kind = VELOCITY;
+    velocityKind kind = TRACTION;
 
-    if
-    (
-        isA<tangentialTractionFvPatchVectorField>(pf)
-     || isA<basicSymmetryFvPatchVectorField>(pf)
-     || isA<symmetryPlaneFvPatchVectorField>(pf)
-    )
+    switch (meaningOf(U_, patchi))
     {
-        kind = TRACTION;
-    }
-    else if (isA<zeroGradientFvPatchVectorField>(pf))
-    {
-        kind = OPEN;
-        anyOpen_ = true;
-    }
-    else if (pf.fixesValue())
-    {
-        anyVelocity_ = anyVelocity_ || pf.size();
-    }
-    else
-    {
-        refuse
-        (
-            U_, patchi,
-            "types that fix the value (fixedValue, noSlip, ...), slip,"
-            " symmetry, symmetryPlane, tangentialTraction, zeroGradient"
-        );
+        case patchFieldTypes::VALUE:
+        {
+            kind = VELOCITY;
+            anyVelocity_ = true;
+            break;
+        }
+        case patchFieldTypes::OPEN:
+        {
+            kind = OPEN;
+            anyOpen_ = true;
+            break;
+        }
+        default:
+        {}
     }
 
     const label start = at(halo_.start(patchi));
@@ -118,31 +151,88 @@ void Foam::flowBoundary::classifyVelocity(const label patchi)
 
 void Foam::flowBoundary::classifyRotation(const label patchi)
 {
-    const fvPatchScalarField& pf = omega_.boundaryField()[patchi];
-    bool fixed = true;
+    const bool fixed = meaningOf(omega_, patchi) != patchFieldTypes::COUPLE;
 
-    if
-    (
-        isA<coupleTractionFvPatchScalarField>(pf)
-     || isA<zeroGradientFvPatchScalarField>(pf)
-    )
+    const label start = at(halo_.start(patchi));
+    forAll(omega_.boundaryField()[patchi], facei)
     {
-        fixed = false;
+        rotationFixed_[start + facei] = fixed;
     }
-    else if (!pf.fixesValue() && !isMirror(pf.patch()))
+}
+
+
+void Foam::flowBoundary::classifyPressure(const label patchi)
+{
+    typedef patchFieldTypes types;
+
+    const types::meaning is = meaningOf(pRgh_, patchi);
+    const bool fixed = types::givesValue(is);
+    const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+    const bool open = types::of(U_.name(), Up.type()) == types::OPEN;
+
+    if (fixed != open)
     {
         refuse
         (
-            omega_, patchi,
-            "types that fix the value (fixedValue, ...), symmetry,"
-            " symmetryPlane, zeroGradient, coupleTraction"
+            pRgh_, patchi, ", but U there is " + Up.type(),
+            open
+          ? "types that give p_rgh or p, since no velocity is given:"
+            " fixedValue, prghPressure, ..."
+          : "zeroGradient and others that fix no value, since the velocity is"
+            " given; a pressure is given where U is zeroGradient"
         );
     }
 
+    pressureMeaning_[patchi] = is;
+    followsFlow_ = followsFlow_ || types::followsFlow(is);
+
     const label start = at(halo_.start(patchi));
-    forAll(pf, facei)
+    forAll(pRgh_.boundaryField()[patchi], facei)
     {
-        rotationFixed_[start + facei] = fixed;
+        pressureFixed_[start + facei] = fixed;
+    }
+}
+
+
+void Foam::flowBoundary::classifyCoupled
+(
+    const label patchi,
+    const bool cosserat
+)
+{
+    meaningOf(U_, patchi, true);
+    if (cosserat)
+    {
+        meaningOf(omega_, patchi, true);
+    }
+
+    pressureMeaning_[patchi] = meaningOf(pRgh_, patchi, true);
+    if (pressureMeaning_[patchi] == patchFieldTypes::JUMP)
+    {
+        jump_.setSize(velocityKind_.size(), Zero);
+    }
+
+    const polyPatch& pp = U_.mesh().boundaryMesh()[patchi];
+    if (isA<processorCyclicPolyPatch>(pp))
+    {
+        const label cyclic =
+            refCast<const processorCyclicPolyPatch>(pp).referPatchID();
+
+        if
+        (
+            patchFieldTypes::of
+            (
+                pRgh_.name(), pRgh_.boundaryField()[cyclic].type()
+            ) == patchFieldTypes::JUMP
+        )
+        {
+            refuse
+            (
+                pRgh_, cyclic,
+                ", and the two sides of some faces are on two processors",
+                "one processor for both: preservePatches in decomposeParDict"
+            );
+        }
     }
 }
 
@@ -171,6 +261,52 @@ void Foam::flowBoundary::checkValues
 }
 
 
+Foam::labelList Foam::flowBoundary::withFaces(const fvMesh& mesh)
+{
+    DynamicList<label> physical;
+
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        if
+        (
+            !patch.coupled() && patch.type() != "empty"
+         && returnReduce(patch.size(), sumOp<label>())
+        )
+        {
+            physical.append(patch.index());
+        }
+    }
+
+    return labelList(std::move(physical));
+}
+
+
+void Foam::flowBoundary::updateJumps()
+{
+    if (jump_.empty())
+    {
+        return;
+    }
+
+    forAll(pressureMeaning_, patchi)
+    {
+        if (pressureMeaning_[patchi] == patchFieldTypes::JUMP)
+        {
+            auto& pp = refCast<jumpCyclicFvPatchField<scalar>>
+            (
+                pRgh_.boundaryFieldRef()[patchi]
+            );
+            pp.updateCoeffs();
+            const scalar sign = pp.cyclicPatch().owner() ? 1 : -1;
+            const scalarField jump(sign*pp.jump());
+
+            checkValues("p_rgh", pp.patch().name(), mag(jump));
+            SubList<scalar>(jump_, pp.size(), at(halo_.start(patchi))) = jump;
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::flowBoundary::flowBoundary
@@ -188,6 +324,7 @@ Foam::flowBoundary::flowBoundary
     U_(U),
     pRgh_(pRgh),
     omega_(omega),
+    patches_(withFaces(U.mesh())),
     velocityKind_(halo.size() - U.size(), char(VELOCITY)),
     rotationFixed_(velocityKind_.size(), false),
     pressureFixed_(velocityKind_.size(), false),
@@ -197,66 +334,43 @@ Foam::flowBoundary::flowBoundary
     rotation_(u0_),
     couple_(u0_),
     pressure_(u0_),
+    pressureMeaning_
+    (
+        U.mesh().boundary().size(), patchFieldTypes::RESULT
+    ),
     curvature_(u0_),
     anyVelocity_(false),
     anyOpen_(false),
-    anyPressure_(false)
+    followsFlow_(false)
 {
-    for (const label patchi : patches())
+    for (const fvPatch& patch : U.mesh().boundary())
+    {
+        if (patch.coupled())
+        {
+            classifyCoupled(patch.index(), cosserat);
+        }
+    }
+
+    for (const label patchi : patches_)
     {
         classifyVelocity(patchi);
         if (cosserat)
         {
             classifyRotation(patchi);
         }
-
-        const bool fixed = pRgh.boundaryField()[patchi].fixesValue();
-        const label start = at(halo.start(patchi));
-        forAll(pRgh.boundaryField()[patchi], facei)
-        {
-            pressureFixed_[start + facei] = fixed;
-        }
-
-        const fvPatchVectorField& Up = U.boundaryField()[patchi];
-        if (fixed && !isA<zeroGradientFvPatchVectorField>(Up))
-        {
-            refuse
-            (
-                pRgh, patchi,
-                "zeroGradient and others that fix no value, since U is of type "
-              + Up.type() + "; a pressure is given where that is zeroGradient"
-            );
-        }
-        anyPressure_ = anyPressure_ || fixed;
+        classifyPressure(patchi);
     }
-
-    reduce(anyVelocity_, orOp<bool>());
-    reduce(anyOpen_, orOp<bool>());
-    reduce(anyPressure_, orOp<bool>());
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::labelList Foam::flowBoundary::patches() const
+bool Foam::flowBoundary::update()
 {
-    DynamicList<label> physical;
+    const scalar largestPressure = gMax(mag(pressure_));
+    bool changed = false;
 
-    for (const fvPatch& patch : U_.mesh().boundary())
-    {
-        if (!patch.coupled() && patch.type() != "empty")
-        {
-            physical.append(patch.index());
-        }
-    }
-
-    return labelList(std::move(physical));
-}
-
-
-void Foam::flowBoundary::update()
-{
-    for (const label patchi : patches())
+    for (const label patchi : patches_)
     {
         fvPatchVectorField& Up = U_.boundaryFieldRef()[patchi];
         fvPatchScalarField& wp = omega_.boundaryFieldRef()[patchi];
@@ -264,13 +378,16 @@ void Foam::flowBoundary::update()
 
         Up.updateCoeffs();
         wp.updateCoeffs();
-        if (pp.fixesValue())
+        if (patchFieldTypes::givesValue(pressureMeaning_[patchi]))
         {
-            pp.updateCoeffs();
+            // Which makes it ask for new ones the next time
+            pp.evaluate();
         }
 
         const vectorField n(Up.patch().nf());
-        const bool mirror = isMirror(Up.patch());
+        const bool mirror =
+            patchFieldTypes::of(omega_.name(), wp.type())
+         == patchFieldTypes::MIRROR;
 
         vectorField traction(Up.size(), Zero);
         if (isA<tangentialTractionFvPatchVectorField>(Up))
@@ -306,6 +423,8 @@ void Foam::flowBoundary::update()
             traction_[i] = traction[facei] & (n[facei] ^ frame_.e());
             rotation_[i] = mirror ? 0 : wp[facei];
             couple_[i] = couple[facei];
+            changed = changed
+             || mag(pp[facei] - pressure_[i]) > 1e-8*largestPressure;
             pressure_[i] = pp[facei];
         }
 
@@ -321,11 +440,14 @@ void Foam::flowBoundary::update()
         {
             checkValues("omega", name, mag(wp));
         }
-        if (pp.fixesValue())
+        if (patchFieldTypes::givesValue(pressureMeaning_[patchi]))
         {
             checkValues("p_rgh", name, mag(pp));
         }
     }
+    updateJumps();
+
+    return returnReduce(changed, orOp<bool>());
 }
 
 

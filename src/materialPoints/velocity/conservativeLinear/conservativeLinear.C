@@ -24,9 +24,7 @@ License
 #include "conservativeLinear.H"
 #include "leastSquaresGrad.H"
 #include "linear.H"
-#include "wallPolyPatch.H"
-#include "symmetryPolyPatch.H"
-#include "symmetryPlanePolyPatch.H"
+#include "openFaces.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -70,21 +68,19 @@ void Foam::pointVelocities::conservativeLinear::update()
         )
     );
 
+    // Along closed faces the velocity has no slope normal to them
+    const openFaces passed(U_, phi_);
+
     tensorField all(mesh.nFaces(), Zero);
     SubList<tensor>(all, mesh.nInternalFaces()) = grad.primitiveField();
     forAll(grad.boundaryField(), patchi)
     {
-        const polyPatch& pp = mesh.boundaryMesh()[patchi];
-        if
-        (
-            !isA<wallPolyPatch>(pp)
-         && !isA<symmetryPolyPatch>(pp)
-         && !isA<symmetryPlanePolyPatch>(pp)
-        )
+        const fvsPatchTensorField& gradp = grad.boundaryField()[patchi];
+        const label start = mesh.boundaryMesh()[patchi].start();
+
+        forAll(gradp, i)
         {
-            const tensorField& gradp = grad.boundaryField()[patchi];
-            const label start = pp.start();
-            forAll(gradp, i)
+            if (gradp.coupled() || passed.open(start + i))
             {
                 all[start + i] = gradp[i];
             }
