@@ -72,6 +72,7 @@ SourceFiles
 #include "checkedText.H"
 #include "continuedTime.H"
 #include "creepingFlow.H"
+#include "givenFractions.H"
 #include "materialPointCloud.H"
 #include "progress.H"
 #include "sigFpe.H"
@@ -93,6 +94,12 @@ int main(int argc, char *argv[])
     #include "postProcess.H"
 
     #include "addCheckCaseOptions.H"
+    argList::addBoolOption
+    (
+        "solveOnce",
+        "Solve for the flow of the start time and write it there, with the"
+        " results of function objects; move no point"
+    );
     #include "setRootCaseLists.H"
     #include "checkInput.H"
     continuedTime runTime(args);
@@ -105,7 +112,14 @@ int main(int argc, char *argv[])
     flow.solve();
     done.spent("flow");
 
-    while (runTime.run())
+    if (args.found("solveOnce"))
+    {
+        runTime.writeNow();
+        runTime.functionObjects().execute();
+        runTime.functionObjects().end();
+    }
+
+    while (!args.found("solveOnce") && runTime.run())
     {
         // Of fields and function objects, the latter in run()
         done.spent("output");

@@ -42,6 +42,7 @@ Usage
 #include "fvCFD.H"
 #include "checkedEntry.H"
 #include "creepingFlow.H"
+#include "givenFractions.H"
 #include "materialPointCloud.H"
 #include "clockTime.H"
 #include "memInfo.H"
