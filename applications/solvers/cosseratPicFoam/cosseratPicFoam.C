@@ -76,6 +76,7 @@ SourceFiles
 #include "materialPointCloud.H"
 #include "progress.H"
 #include "sigFpe.H"
+#include "unreadFiles.H"
 #include <cstdlib>
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -108,6 +109,7 @@ int main(int argc, char *argv[])
     #include "checkTimeControls.H"
 
     #include "createFields.H"
+    unreadFiles::report(materials, points.valid());
     progress done(runTime);
     flow.solve();
     done.spent("flow");

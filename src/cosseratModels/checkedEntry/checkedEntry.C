@@ -46,6 +46,11 @@ namespace Foam
     {
         ITstream& is = dict.lookup(key, keyType::LITERAL);
 
+        if (is.nRemainingTokens() == 0)
+        {
+            checkedEntry::refuse(dict, key, "empty", allowed);
+        }
+
         // An optional name, and optional dimensions
         token first(is);
         if (!first.isWord() || is.nRemainingTokens() == 0)

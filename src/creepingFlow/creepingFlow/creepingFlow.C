@@ -345,6 +345,7 @@ void Foam::creepingFlow::report()
             << ", Final residual = " << performance_.final[i]
             << ", No Iterations " << performance_.iterations << endl;
     }
+    tellFunctionObjects();
 
     if (performance_.converged)
     {

@@ -46,7 +46,10 @@ Foam::functionObjects::cosseratStress::cosseratStress
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict)
+    fvMeshFunctionObject(name, runTime, dict),
+    stress_("sigma"),
+    coupleStress_("coupleStress"),
+    dissipation_("dissipation")
 {
     read(dict);
 }
@@ -54,13 +57,23 @@ Foam::functionObjects::cosseratStress::cosseratStress
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::functionObjects::cosseratStress::write()
+bool Foam::functionObjects::cosseratStress::execute()
 {
     const creepingFlow& flow = creepingFlow::find(mesh_);
 
-    flow.stress()().write();
-    flow.coupleStress()().write();
-    flow.dissipation()().write();
+    return
+        store(stress_, flow.stress())
+     && store(coupleStress_, flow.coupleStress())
+     && store(dissipation_, flow.dissipation());
+}
+
+
+bool Foam::functionObjects::cosseratStress::write()
+{
+    for (const word& field : {stress_, coupleStress_, dissipation_})
+    {
+        writeObject(field);
+    }
 
     return true;
 }

@@ -1,0 +1,74 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cosseratSystem.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::cosseratSystem::wallLoads
+(
+    const label patchi,
+    vectorField& pressure,
+    vectorField& viscous,
+    scalarField& couple
+) const
+{
+    const fvPatch& patch = mesh_.boundary()[patchi];
+    const labelUList& cells = patch.faceCells();
+    const vectorField n(patch.nf());
+    const vectorField d(patch.Cf() - patch.Cn());
+    const scalarField& rho = materials_.rho().primitiveField();
+    const vector g(gravity());
+
+    pressure.setSize(patch.size());
+    viscous.setSize(patch.size());
+    couple.setSize(patch.size());
+
+    forAll(patch, i)
+    {
+        const label slot = halo_.start(patchi) + i;
+        const label f = nInternal_ + slot - nCells_;
+        const label P = cells[i];
+
+        // boundaryPressure takes no force from the cell to the face, by which
+        // p rises there in a fluid at rest
+        vector force(rho[P]*g);
+        if (load_.force() && !boundary_.pressureFixed(boundary_.at(slot)))
+        {
+            force += load_.force()->primitiveField()[P];
+        }
+        const scalar p =
+            boundaryPressure(slot) + rhoGh_[P] + (force & d[i]);
+        pressure[i] = p*S_[f]*n[i];
+
+        scalar F0, F1;
+        wallForce(f, true, F0, F1);
+        viscous[i] = -frame_.inSpace(F0, F1);
+
+        couple[i] =
+            cosserat_ && !rotationUndetermined(P) ? -wallCouple(f, true) : 0;
+    }
+}
+
+
+// ************************************************************************* //
