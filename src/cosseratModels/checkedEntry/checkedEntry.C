@@ -72,6 +72,10 @@ namespace Foam
                 os  << "of dimensions " << found << " instead of " << dims;
                 checkedEntry::refuse(dict, key, os.str(), allowed);
             }
+            if (is.nRemainingTokens() == 0)
+            {
+                checkedEntry::refuse(dict, key, "without a number", allowed);
+            }
         }
 
         token number(is);

@@ -71,4 +71,20 @@ void Foam::cosseratSystem::wallLoads
 }
 
 
+Foam::tmp<Foam::vectorField> Foam::cosseratSystem::cornerLoads() const
+{
+    scalarField r(size(), Zero);
+    corners_.addForce(u0_, u1_, true, r);
+
+    tmp<vectorField> tforce(new vectorField(nCells_));
+    vectorField& force = tforce.ref();
+    forAll(force, celli)
+    {
+        force[celli] = -frame_.inSpace(r[celli], r[nCells_ + celli]);
+    }
+
+    return tforce;
+}
+
+
 // ************************************************************************* //

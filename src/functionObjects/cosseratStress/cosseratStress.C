@@ -37,6 +37,28 @@ namespace functionObjects
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class FieldType>
+void Foam::functionObjects::cosseratStress::keep(const tmp<FieldType>& tfield)
+{
+    const word name(tfield().name());
+    fields_.insert(name);
+
+    if (mesh_.foundObject<FieldType>(name))
+    {
+        mesh_.lookupObjectRef<FieldType>(name) = tfield;
+    }
+    else
+    {
+        regIOobject::store
+        (
+            new FieldType(IOobject(name, time_.timeName(), mesh_), tfield)
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::functionObjects::cosseratStress::cosseratStress
@@ -46,10 +68,7 @@ Foam::functionObjects::cosseratStress::cosseratStress
     const dictionary& dict
 )
 :
-    fvMeshFunctionObject(name, runTime, dict),
-    stress_("sigma"),
-    coupleStress_("coupleStress"),
-    dissipation_("dissipation")
+    fvMeshFunctionObject(name, runTime, dict)
 {
     read(dict);
 }
@@ -61,16 +80,17 @@ bool Foam::functionObjects::cosseratStress::execute()
 {
     const creepingFlow& flow = creepingFlow::find(mesh_);
 
-    return
-        store(stress_, flow.stress())
-     && store(coupleStress_, flow.coupleStress())
-     && store(dissipation_, flow.dissipation());
+    keep(flow.stress());
+    keep(flow.coupleStress());
+    keep(flow.dissipation());
+
+    return true;
 }
 
 
 bool Foam::functionObjects::cosseratStress::write()
 {
-    for (const word& field : {stress_, coupleStress_, dissipation_})
+    for (const word& field : fields_)
     {
         writeObject(field);
     }

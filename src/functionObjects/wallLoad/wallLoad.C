@@ -203,6 +203,10 @@ void Foam::functionObjects::wallLoad::begin()
         const word& name = mesh_.boundary()[patchi].name();
         open("wallLoad_" + name, "Load on patch " + name, columns);
     }
+    if (corners_)
+    {
+        open("wallLoad_corners", "Load on re-entrant corners", columns);
+    }
     if (nBin_)
     {
         open
@@ -250,22 +254,71 @@ Foam::label Foam::functionObjects::wallLoad::binOf(const point& place) const
 }
 
 
+void Foam::functionObjects::wallLoad::addPatch
+(
+    const fvPatch& patch,
+    const vectorField& force,
+    const scalarField& couple,
+    scalarField& sums
+) const
+{
+    const vectorField n(patch.nf());
+    scalar* sum = &sums[nOfPatch*patches_.find(patch.index())];
+
+    forAll(force, i)
+    {
+        const scalar normal = force[i] & n[i];
+        const vector tangential(force[i] - normal*n[i]);
+
+        add(sum, force[i]);
+        add(sum + 3, normal*n[i]);
+        add(sum + 6, tangential);
+        sum[9] += e_ & ((patch.Cf()[i] - CofR_) ^ force[i]);
+        sum[10] += couple[i];
+
+        if (nBin_)
+        {
+            scalar* bin =
+                &sums[nOfPatch*nRows() + nOfBin*binOf(patch.Cf()[i])];
+            bin[0] += patch.magSf()[i];
+            bin[1] += normal;
+            bin[2] += tangential & (n[i] ^ e_);
+            bin[3] += couple[i];
+        }
+    }
+}
+
+
+void Foam::functionObjects::wallLoad::addCorners
+(
+    const vectorField& force,
+    scalarField& sums
+) const
+{
+    scalar* sum = &sums[nOfPatch*patches_.size()];
+
+    forAll(force, celli)
+    {
+        add(sum, force[celli]);
+        sum[9] += e_ & ((mesh_.C()[celli] - CofR_) ^ force[celli]);
+    }
+}
+
+
 void Foam::functionObjects::wallLoad::writeRows(const scalarField& sums)
 {
-    const label nPatches = patches_.size();
-    scalarField all(nOfPatch, Zero);
-
-    for (label i = 0; i < nPatches; ++i)
-    {
-        all += SubField<scalar>(sums, nOfPatch, nOfPatch*i);
-    }
-
     if (!Pstream::master())
     {
         return;
     }
 
-    for (label i = 0; i <= nPatches; ++i)
+    scalarField all(nOfPatch, Zero);
+    for (label i = 0; i < nRows(); ++i)
+    {
+        all += SubField<scalar>(sums, nOfPatch, nOfPatch*i);
+    }
+
+    for (label i = 0; i <= nRows(); ++i)
     {
         OFstream& os = files_[i];
         writeCurrentTime(os);
@@ -278,8 +331,8 @@ void Foam::functionObjects::wallLoad::writeRows(const scalarField& sums)
 
     for (label i = 0; i < nBin_; ++i)
     {
-        OFstream& os = files_[nPatches + 1];
-        const label start = nOfPatch*nPatches + nOfBin*i;
+        OFstream& os = files_.last();
+        const label start = nOfPatch*nRows() + nOfBin*i;
         const scalar area = sums[start];
 
         writeCurrentTime(os);
@@ -309,6 +362,7 @@ Foam::functionObjects::wallLoad::wallLoad
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(obr_, name),
     e_(planarFrame(mesh_).e()),
+    corners_(false),
     nBin_(0),
     start_(0),
     length_(0),
@@ -338,6 +392,7 @@ bool Foam::functionObjects::wallLoad::read(const dictionary& dict)
 bool Foam::functionObjects::wallLoad::execute()
 {
     const creepingFlow& flow = creepingFlow::find(mesh_);
+    corners_ = flow.corners() && patches_.size() == physical().size();
 
     if (files_.empty())
     {
@@ -347,9 +402,7 @@ bool Foam::functionObjects::wallLoad::execute()
     volVectorField& traction = field<volVectorField>(traction_, dimPressure);
     volScalarField& couples =
         field<volScalarField>(couple_, dimPressure*dimLength);
-
-    const label nPatches = patches_.size();
-    scalarField sums(nOfPatch*nPatches + nOfBin*nBin_, Zero);
+    scalarField sums(nOfPatch*nRows() + nOfBin*nBin_, Zero);
 
     for (const label patchi : physical())
     {
@@ -362,35 +415,14 @@ bool Foam::functionObjects::wallLoad::execute()
         traction.boundaryFieldRef()[patchi] == force/patch.magSf();
         couples.boundaryFieldRef()[patchi] == couple/patch.magSf();
 
-        const label at = patches_.find(patchi);
-        if (at < 0)
+        if (patches_.found(patchi))
         {
-            continue;
+            addPatch(patch, force, couple, sums);
         }
-
-        const vectorField n(patch.nf());
-        scalar* sum = &sums[nOfPatch*at];
-        forAll(patch, i)
-        {
-            const scalar normal = force[i] & n[i];
-            const vector tangential(force[i] - normal*n[i]);
-
-            add(sum, force[i]);
-            add(sum + 3, normal*n[i]);
-            add(sum + 6, tangential);
-            sum[9] += e_ & ((patch.Cf()[i] - CofR_) ^ force[i]);
-            sum[10] += couple[i];
-
-            if (nBin_)
-            {
-                scalar* inBin =
-                    &sums[nOfPatch*nPatches + nOfBin*binOf(patch.Cf()[i])];
-                inBin[0] += patch.magSf()[i];
-                inBin[1] += normal;
-                inBin[2] += tangential & (n[i] ^ e_);
-                inBin[3] += couple[i];
-            }
-        }
+    }
+    if (corners_)
+    {
+        addCorners(flow.cornerLoads(), sums);
     }
 
     reduce(sums, sumOp<scalarField>());
