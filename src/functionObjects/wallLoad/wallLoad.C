@@ -434,8 +434,12 @@ bool Foam::functionObjects::wallLoad::execute()
 
 bool Foam::functionObjects::wallLoad::write()
 {
-    writeObject(traction_);
-    writeObject(couple_);
+    // Rows are there of each step, times of those that are written
+    if (time_.writeTime() || postProcess)
+    {
+        writeObject(traction_);
+        writeObject(couple_);
+    }
 
     return true;
 }
