@@ -9,8 +9,8 @@ import subprocess
 import numpy as np
 import pytest
 
-from cosserat.box import add_points
-from cosserat.case import ROOT
+from cosserat.box import Box, add_points
+from cosserat.case import Case, ROOT
 
 LIQUIDS = {"a": {"eta": 2, "etaC": 1, "R": 0.1, "rho": 1},
            "b": {"eta": 4, "etaC": 0, "R": 0, "rho": 0}}
@@ -19,13 +19,31 @@ LID = {"top": ("type fixedValue; value uniform (1 0 0);",
                "type zeroGradient;")}
 
 
-@pytest.fixture(name="lid")
-def lid_fixture(box):
-    """Function that makes a box stirred by its lid."""
+@pytest.fixture(name="plain", scope="module")
+def plain_fixture(tmp_path_factory):
+    """A box stirred by its lid, with the power of that."""
+    case = Box(tmp_path_factory.mktemp("lid")/"case", n=6,
+               materials={"a": LIQUIDS["a"]}, walls=LID).write()
+    shutil.copytree(case.path/"0", case.path/"0.orig")
+    return case, power(case)
 
-    def make(target="case", **options):
-        return box(target, n=6, materials={"a": LIQUIDS["a"]}, walls=LID,
-                   **options)
+
+@pytest.fixture(name="expected")
+def expected_fixture(plain):
+    """The power of the box as it is."""
+    return plain[1]
+
+
+@pytest.fixture(name="lid")
+def lid_fixture(plain, tmp_path):
+    """Function that makes a copy of the box, meshed."""
+
+    def make(target="case"):
+        case = Case(shutil.copytree(plain[0].path, tmp_path/target))
+        shutil.rmtree(case.path/"postProcessing")
+        case.restore()
+        shutil.rmtree(case.path/"0.orig")
+        return case
 
     return make
 
@@ -73,9 +91,8 @@ def power(case, *options, **how):
     ("system/fvSolution", "creepingFlow\n{",
      'solvers { "(p|U).*" { solver PCG; } div(phi,U) { } }\ncreepingFlow\n{'),
 ])
-def test_what_openfoam_reads(lid, file, pattern, replacement):
+def test_what_openfoam_reads(lid, expected, file, pattern, replacement):
     """The power is that of the case as it was."""
-    expected = power(lid("plain"))
     case = lid()
     change(case, file, pattern, replacement)
     assert power(case) == pytest.approx(expected, rel=1e-9)
@@ -126,10 +143,9 @@ CODE = {
 
 
 @pytest.mark.parametrize("name", CODE)
-def test_code(lid, name):
+def test_code(lid, expected, name):
     """Compiled where the user is not root, which OpenFOAM asks for; where root
     cannot be another one, it is OpenFOAM that refuses."""
-    expected = power(lid("plain"))
     case = lid()
     change(case, *CODE[name][:2], lambda _: CODE[name][2])
     command = ["cosseratPicFoam", "-solveOnce"]

@@ -181,6 +181,12 @@ class Case:
         return np.array([face.mean(axis=0)
                          for face in self.patch_faces()[name][1]])
 
+    def patch_normals(self, name):
+        """Unit normals of the faces of a patch, out of the mesh: (n, 3)."""
+        normals = np.array([np.cross(face[2] - face[0], face[3] - face[1])
+                            for face in self.patch_faces()[name][1]])
+        return normals/np.linalg.norm(normals, axis=1)[:, None]
+
     def polygons(self):
         """Corners of each cell in the plane of the mesh: list of arrays."""
         points, faces = self.mesh_points(), self.mesh_file("faces").faces()
