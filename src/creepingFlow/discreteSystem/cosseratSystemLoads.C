@@ -40,6 +40,21 @@ void Foam::cosseratSystem::wallLoads
     const scalarField& rho = materials_.rho().primitiveField();
     const vector g(gravity());
 
+    // What weightForce() moves from a cell to the next one is no force between
+    // cell and wall
+    vectorField moved(nCells_, Zero);
+    for (const label f : jump_)
+    {
+        const scalar s = (wSoft_[f] - w_[f])*S_[f]*ff_[f]/dc_[f];
+        const vector change(frame_.inSpace(s*n0_[f], s*n1_[f]));
+
+        moved[own_[f]] -= change/V_[own_[f]];
+        if (nei_[f] < nCells_)
+        {
+            moved[nei_[f]] += change/V_[nei_[f]];
+        }
+    }
+
     pressure.setSize(patch.size());
     viscous.setSize(patch.size());
     couple.setSize(patch.size());
@@ -50,12 +65,16 @@ void Foam::cosseratSystem::wallLoads
         const label f = nInternal_ + slot - nCells_;
         const label P = cells[i];
 
-        // boundaryPressure takes no force from the cell to the face, by which
-        // p rises there in a fluid at rest
+        // boundaryPressure takes no load from the cell to the face, by which p
+        // rises there in a fluid at rest
         vector force(rho[P]*g);
-        if (load_.force() && !boundary_.pressureFixed(boundary_.at(slot)))
+        if (!boundary_.pressureFixed(boundary_.at(slot)))
         {
-            force += load_.force()->primitiveField()[P];
+            force += moved[P];
+            if (load_.force())
+            {
+                force += load_.force()->primitiveField()[P];
+            }
         }
         const scalar p =
             boundaryPressure(slot) + rhoGh_[P] + (force & d[i]);
