@@ -149,8 +149,8 @@ stop
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_stress_is_there_for_others(run, ranks):
-    """Sampled as it is written: by a probe, as a mean over the volume, and along
-    a line."""
+    """Sampled as it is written: by a probe, as a mean over the volume, and
+    along a line."""
     case, _ = run("""
 probe { type probes; libs (sampling); fields (sigma coupleStress);
     probeLocations ((0.0625 0.0625 0.05)); writeControl timeStep; }

@@ -6,6 +6,7 @@ import pytest
 
 from cosserat import analytic
 from cosserat.box import add_points
+from test_silo import COARSE
 
 LIGHT = {"eta": 1, "etaC": 0, "R": 0, "rho": 3}
 HEAVY = {"eta": 40, "etaC": 40, "R": 0.1, "rho": 7}
@@ -172,6 +173,24 @@ def test_walls_bear_the_weight_of_a_flow(box, region, shear):
     assert abs(tangential[1]) > shear*mass
     assert force[1] == pytest.approx(-mass, rel=1e-8)
     assert abs(force[0]) < 1e-8*mass
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_silo(tutorial, ranks):
+    """The tutorial's walls bear the weight of its fill, with the part of the
+    re-entrant corners that is not of a single wall."""
+    case = tutorial("silo", mesh=COARSE, solution={"tolerance": 1e-9})
+    if ranks > 1:
+        decompose(case)
+    case.run("cosseratPicFoam", "-solveOnce", ranks=ranks)
+    weight = 25*1e6*10*0.1
+    force = last(case)[0]
+    assert force[1] == pytest.approx(-weight, rel=1e-8)
+    corners = last(case, "wallLoad_corners")[0]
+    assert corners[1] < -0.01*weight
+    walls = sum(last(case, f"wallLoad_{name}")[0]
+                for name in ("siloWalls", "outerWalls"))
+    assert np.allclose(walls + corners, force, atol=1e-8*weight)
 
 
 @pytest.mark.parametrize("entries, words", [

@@ -85,9 +85,11 @@ def power(case, *options, **how):
      "#inputMode merge\n eta 7; eta 2;"),
     ("constant/materialProperties", "eta 2;",
      "#ifeq 1 1\n eta 2;\n#else\n eta 8;\n#endif\n"),
-    ("constant/materialProperties", "eta 2;", '#includeIfPresent "none" eta 2;'),
+    ("constant/materialProperties", "eta 2;", '#sinclude "none" eta 2;'),
     ("constant/materialProperties", "eta 2;", 'eta #eval "1 + 1";'),
     ("constant/materialProperties", "eta 2;", "eta #eval{ 2*(3 - 2) };"),
+    ("constant/materialProperties", "rho 1;",
+     "loc (1 0 0);\nrho #eval{ mag($[(vector) loc]) };\n#remove loc\n"),
     ("system/fvSolution", "creepingFlow\n{",
      'solvers { "(p|U).*" { solver PCG; } div(phi,U) { } }\ncreepingFlow\n{'),
 ])

@@ -80,8 +80,8 @@ def test_overflow_names_what_there_is(layers):
                 "type slip", "type zeroGradient"))
     text = message(case)
     assert "is not finite" in text
-    for word in ("volume of a cell", "rho [kg/m3]: 1e+40 to 1e+40", "eta [Pa s]: 1 to 1",
-                 "a load"):
+    for word in ("volume of a cell", "rho [kg/m3]: 1e+40 to 1e+40",
+                 "eta [Pa s]: 1 to 1", "a load"):
         assert word in text, text
 
 

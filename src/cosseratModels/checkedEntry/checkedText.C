@@ -46,11 +46,19 @@ void Foam::checkedText::next()
     token t;
     is_.read(t);
 
-    if (t.good())
+    if (expression_ && t == token::BEGIN_BLOCK)
+    {
+        // Text up to the bracket, whatever brackets are in it
+        is_.getLine(token_, token::END_BLOCK);
+        token_ = "#eval{" + token_ + '}';
+        expression_ = false;
+    }
+    else if (t.good())
     {
         OStringStream os;
         os  << t;
         token_ = os.str();
+        expression_ = token_ == "#eval";
 
         splitUnits();
     }
@@ -337,6 +345,7 @@ Foam::checkedText::checkedText(const fileName& file)
 :
     is_(file),
     inUnits_(false),
+    expression_(false),
     written_(false),
     branches_(false)
 {

@@ -170,7 +170,8 @@ void Foam::functionObjects::pointTracers::begin()
         files_.setSize(places_.size());
         forAll(places_, i)
         {
-            files_.set(i, newOutputFile("tracer" + Foam::name(number_[i])).ptr());
+            const word file("tracer" + Foam::name(number_[i]));
+            files_.set(i, newOutputFile(file).ptr());
             OFstream& os = files_[i];
             writeHeader
             (
