@@ -250,6 +250,21 @@ def test_file_that_nothing_reads(lid, file, hint):
     assert hint in line
 
 
+def test_files_are_told_once_by_two_ranks(lid):
+    """Those of the case and of the start time."""
+    case = lid()
+    shutil.copy(case.path/"constant/g", case.path/"constant/fvOptions")
+    shutil.copy(case.path/"0/p_rgh", case.path/"0/T")
+    (case.path/"system/decomposeParDict").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary;"
+        " object d; }\nnumberOfSubdomains 2; method simple;"
+        " simpleCoeffs { n (2 1 1); delta 1e-3; }")
+    case.run("decomposePar")
+    log = case.run("cosseratPicFoam", ranks=2).stdout
+    for file in ("constant/fvOptions:", "    0/T\n"):
+        assert log.count(file) == 1, file
+
+
 def test_fractions_beside_points_are_told(box):
     """Points prevail."""
     case = box(n=4, materials=LIQUIDS, fractions=lambda x, y: x < 0)

@@ -38,6 +38,7 @@ class Case:
 
     def __init__(self, path):
         self.path = Path(path)
+        self._plane = None
 
     @classmethod
     def copy(cls, source, target):
@@ -143,10 +144,12 @@ class Case:
 
     def plane(self):
         """Axes of the plane of the mesh, that of pictures across first."""
-        extent = np.ptp(next(corners for kind, faces
-                             in self.patch_faces().values()
-                             if kind == "empty" for corners in faces), axis=0)
-        return [i for i in range(3) if i != np.argmin(extent)]
+        if self._plane is None:
+            extent = np.ptp(next(
+                corners for kind, faces in self.patch_faces().values()
+                if kind == "empty" for corners in faces), axis=0)
+            self._plane = [i for i in range(3) if i != np.argmin(extent)]
+        return self._plane
 
     def centres(self):
         """Cell centres, shape (nCells, 3)."""
