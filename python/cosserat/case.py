@@ -1,7 +1,7 @@
 """Cases: copy, change, run, read back.
 
-Only what the studies and tests need of OpenFOAM's formats: ascii fields and
-lists, one case directory, single-block or any mesh.
+Fields, clouds and meshes may be ascii or binary, plain or compressed, in any
+of the three planes; of a run in parallel the times are to be reconstructed.
 """
 
 import os
@@ -11,6 +11,8 @@ import subprocess
 from pathlib import Path
 
 import numpy as np
+
+from cosserat.foamfile import FoamFile, find
 
 ROOT = Path(__file__).resolve().parents[2]
 TUTORIALS = ROOT/"tutorials"
@@ -36,6 +38,7 @@ class Case:
 
     def __init__(self, path):
         self.path = Path(path)
+        self._plane = None
 
     @classmethod
     def copy(cls, source, target):
@@ -100,37 +103,64 @@ class Case:
                  and float(d.name) > 0]
         return sorted(names, key=float)
 
+    def file(self, name, time=None):
+        """A file of a time, by default the last one."""
+        time = self.times()[-1] if time is None else time
+        return FoamFile(self.path/str(time)/name)
+
     def field(self, name, time=None):
         """Internal field, shape (nCells,) or (nCells, components)."""
-        time = self.times()[-1] if time is None else time
-        text = (self.path/str(time)/name).read_text()
-        start = text.index("internalField")
-        return parse_list(text[start + len("internalField"):], self.n_cells())
+        file = self.file(name, time)
+        return file.entry(file.after("internalField"), self.n_cells())
 
     def patch_field(self, name, patch, time=None):
         """Values of a field on a patch."""
-        time = self.times()[-1] if time is None else time
-        text = (self.path/str(time)/name).read_text()
-        text = text[text.index("boundaryField"):]
-        text = text[re.search(rf"^\s*{patch}\s*\n", text, re.M).end():]
-        return parse_list(text[re.search(r"value\s", text).end():], None)
+        file = self.file(name, time)
+        at = file.after("boundaryField")
+        at = file.after(rb"^\s*" + patch.encode() + rb"\s*\{", at)
+        return file.entry(file.after(rb"^\s*value\s", at))
 
     def n_cells(self):
         """Number of cells of the mesh."""
-        head = (self.path/"constant/polyMesh/owner").read_text(
-            errors="replace")[:2000]
-        return int(re.search(r"nCells:\s*(\d+)", head).group(1))
+        return int(re.search(r"nCells:\s*(\d+)",
+                             self.mesh_file("owner").header)[1])
+
+    def mesh_file(self, name):
+        """A file of the mesh."""
+        return FoamFile(self.path/"constant/polyMesh"/name)
+
+    def mesh_points(self):
+        """Points of the mesh, shape (nPoints, 3)."""
+        file = self.mesh_file("points")
+        return file.list(file.start, "vector")[0]
+
+    def patches(self):
+        """Patches of the mesh: dict of name: (type, faces)."""
+        return {name: (kind, range(int(start), int(start) + int(n)))
+                for name, kind, n, start in re.findall(
+                    r"(\w+)\s*\{\s*type\s+(\w+);[^}]*?nFaces\s+(\d+);"
+                    r"\s*startFace\s+(\d+);",
+                    self.mesh_file("boundary").text())}
+
+    def plane(self):
+        """Axes of the plane of the mesh, that of pictures across first."""
+        if self._plane is None:
+            extent = np.ptp(next(
+                corners for kind, faces in self.patch_faces().values()
+                if kind == "empty" for corners in faces), axis=0)
+            self._plane = [i for i in range(3) if i != np.argmin(extent)]
+        return self._plane
 
     def centres(self):
         """Cell centres, shape (nCells, 3)."""
-        if not (self.path/"0/C").exists():
+        if find(self.path/"0/C") is None:
             self.run("postProcess", "-func", "writeCellCentres", "-time", "0",
                      log=None)
         return self.field("C", 0)
 
     def volumes(self):
         """Cell volumes."""
-        if not (self.path/"0/V").exists():
+        if find(self.path/"0/V") is None:
             self.run("postProcess", "-func", "writeCellVolumes", "-time", "0",
                      log=None)
         return self.field("V", 0)
@@ -138,73 +168,61 @@ class Case:
     def patch_faces(self):
         """Corners of the faces of each patch, and its type: dict of name:
         (type, list of arrays of points)."""
-        mesh = self.path/"constant/polyMesh"
-        points = parse_list("nonuniform List<vector> "
-                            + _body(mesh/"points"), None)
-        faces = re.findall(r"\d+\(([\d ]+)\)", _body(mesh/"faces"))
-        patches = {}
-        for patch in re.finditer(
-                r"(\w+)\s*\{\s*type\s+(\w+);[^}]*?nFaces\s+(\d+);"
-                r"\s*startFace\s+(\d+);", (mesh/"boundary").read_text()):
-            n, start = int(patch[3]), int(patch[4])
-            patches[patch[1]] = (patch[2], [
-                points[np.array(face.split(), int)]
-                for face in faces[start:start + n]])
-        return patches
+        points, faces = self.mesh_points(), self.mesh_file("faces").faces()
+        return {name: (kind, [points[faces[i]] for i in which])
+                for name, (kind, which) in self.patches().items()}
 
     def internal_faces(self):
         """Corners of the internal faces, all rectangles: (faces, 4, 3)."""
-        mesh = self.path/"constant/polyMesh"
-        points = parse_list("nonuniform List<vector> "
-                            + _body(mesh/"points"), None)
-        n = int(re.search(r"nInternalFaces:\s*(\d+)", (
-            mesh/"owner").read_text(errors="replace")[:2000]).group(1))
-        faces = re.findall(r"4\(([\d ]+)\)", _body(mesh/"faces"))[:n]
-        return points[np.array([face.split() for face in faces], int)]
+        n = int(re.search(r"nInternalFaces:\s*(\d+)",
+                          self.mesh_file("owner").header)[1])
+        return self.mesh_points()[np.array(
+            self.mesh_file("faces").faces()[:n])]
 
     def patch_centres(self, name):
         """Face centres of a patch with rectangular faces, shape (n, 3)."""
         return np.array([face.mean(axis=0)
                          for face in self.patch_faces()[name][1]])
 
+    def patch_normals(self, name):
+        """Unit normals of the faces of a patch, out of the mesh: (n, 3)."""
+        normals = np.array([np.cross(face[2] - face[0], face[3] - face[1])
+                            for face in self.patch_faces()[name][1]])
+        return normals/np.linalg.norm(normals, axis=1)[:, None]
+
     def polygons(self):
         """Corners of each cell in the plane of the mesh: list of arrays."""
-        mesh = self.path/"constant/polyMesh"
-        points = parse_list("nonuniform List<vector> "
-                            + _body(mesh/"points"), None)
-        faces = re.findall(r"\d+\(([\d ]+)\)", _body(mesh/"faces"))
-        owner = parse_list("nonuniform List<label> " + _body(mesh/"owner"),
-                           None).astype(int)
+        points, faces = self.mesh_points(), self.mesh_file("faces").faces()
+        file = self.mesh_file("owner")
+        owner = file.list(file.start, "label")[0]
         cells = [None]*self.n_cells()
-        for kind, n, start in re.findall(
-                r"\{\s*type\s+(\w+);[^}]*?nFaces\s+(\d+);\s*startFace"
-                r"\s+(\d+);", (mesh/"boundary").read_text()):
+        for kind, which in self.patches().values():
             if kind == "empty":
-                for i in range(int(start), int(start) + int(n)):
-                    cells[owner[i]] = points[np.array(faces[i].split(), int)]
+                for i in which:
+                    cells[owner[i]] = points[faces[i]]
         return cells
 
     def boundary_edges(self):
-        """Edges in the x-y plane of the faces of walls and openings, as
-        pairs of points."""
+        """Edges in the plane of the faces of walls and openings, as pairs of
+        points."""
         edges = []
+        plane = self.plane()
         for kind, faces in self.patch_faces().values():
             if kind in ("empty", "cyclic", "processor"):
                 continue
             for corners in faces:
                 a = corners[0]
-                b = corners[np.argmax(np.hypot(*(corners - a)[:, :2].T))]
+                b = corners[np.argmax(np.hypot(*(corners - a)[:, plane].T))]
                 edges.append((a, b))
         return edges
 
     def cloud(self, name, time=None, cloud="materialPoints"):
         """Field of a cloud; 'positions' gives shape (nPoints, 3)."""
-        time = self.times()[-1] if time is None else time
-        body = _body(self.path/str(time)/"lagrangian"/cloud/name)
+        file = self.file(f"lagrangian/{cloud}/{name}", time)
         if name == "positions":
-            rows = re.findall(r"\(([-\d.e+]+) ([-\d.e+]+) ([-\d.e+]+)\)", body)
-            return np.array(rows, float).reshape(-1, 3)
-        return parse_list("nonuniform List<scalar> " + body, None)
+            return file.positions()
+        kind = "scalar" if "scalarField" in file.header else "label"
+        return file.list(file.start, kind)[0].astype(float)
 
     def centroid(self, material, time=None):
         """Mean position of the points of a material (its index)."""
@@ -221,12 +239,6 @@ class Case:
             for row in np.loadtxt(part/file, ndmin=2):
                 rows[row[0]] = row
         return np.array([rows[t] for t in sorted(rows)])
-
-
-def _body(path):
-    """Text of an OpenFOAM file behind its header."""
-    text = path.read_text()
-    return text[text.index("// * *"):]
 
 
 def parse_list(text, n_uniform):

@@ -2,12 +2,15 @@
 
     foamPicture CASE -field omega          # cells coloured by a field
     foamPicture CASE -arrows -o dye.png    # points, dye and velocity
+    foamPicture CASE -streamlines -o a.pdf # lines of the flow, to be printed
     foamPicture CASE -animate              # all times as a GIF
 
-Fields must be ascii, and the case reconstructed where it ran in parallel.
+Files may be ascii or binary, compressed or not, the plane any of the three; a
+case that ran in parallel is to be reconstructed.
 """
 
 import argparse
+import re
 
 import matplotlib
 matplotlib.use("Agg")
@@ -17,43 +20,103 @@ import numpy as np
 from matplotlib.animation import FuncAnimation, PillowWriter
 from matplotlib.collections import PolyCollection
 
+from matplotlib.lines import Line2D
+from matplotlib.path import Path
+from scipy.interpolate import LinearNDInterpolator
+
 from cosserat.analytic import err
 from cosserat.case import Case
+from cosserat.foamfile import FoamFile, find
+from cosserat.units import label
 
 #: Colours of materials by index, light enough to draw dye on, and of dye
 MATERIAL = ["#ffffff", "#e8c88c", "#b9d3e6", "#d8b9d3"]
 DYE = "#5a3212"
 
 
-def draw_points(axes, case, time, materials, size=1.0):
-    """Draw the points of some materials (indices), dyed ones dark."""
-    xyz = case.cloud("positions", time)
+def material_names(case, time):
+    """Names of the materials, by the number that points of a time know."""
+    file = case.path/time/"uniform/lagrangian/materialPoints/materials"
+    if find(file):
+        return re.search(r"names\s+\d*\s*\(([^)]*)\)",
+                         FoamFile(file).text())[1].split()
+    return []
+
+
+def draw_points(axes, case, time, materials, size=1.0, marks=False):
+    """Draw the points of some materials (indices), dyed ones dark, or each
+    mark of the dye in a colour of its own."""
+    across, up = case.cloud("positions", time)[:, case.plane()].T
     material = case.cloud("material", time).astype(int)
     dye = case.cloud("dye", time)
 
     for m in materials:
         plain = (material == m) & (dye == 0)
-        axes.scatter(xyz[plain, 0], xyz[plain, 1], s=size, lw=0,
+        axes.scatter(across[plain], up[plain], s=size, lw=0,
                      c=MATERIAL[m % len(MATERIAL)], rasterized=True)
     dark = np.isin(material, materials) & (dye > 0)
-    axes.scatter(xyz[dark, 0], xyz[dark, 1], s=size, lw=0, c=DYE,
+    colours = (plt.get_cmap("tab10")((dye[dark].astype(int) - 1) % 10)
+               if marks else DYE)
+    axes.scatter(across[dark], up[dark], s=size, lw=0, c=colours,
                  rasterized=True)
+
+
+def draw_legend(axes, case, time, materials, marks=False):
+    """Name the colours of materials and dye, below the picture."""
+    names = material_names(case, time)
+    dye = case.cloud("dye", time).astype(int)
+    used = set(case.cloud("material", time).astype(int))
+    entries = [(names[m] if m < len(names) else f"material {m}",
+                MATERIAL[m % len(MATERIAL)]) for m in materials if m in used]
+    if marks:
+        entries += [(f"dye {mark}", plt.get_cmap("tab10")((mark - 1) % 10))
+                    for mark in sorted(set(dye) - {0})[:10]]
+    elif dye.any():
+        entries.append(("dye", DYE))
+    axes.legend([Line2D([], [], ls="", marker="s", ms=7, mec="grey", mew=0.5,
+                        mfc=colour) for _, colour in entries],
+                [name for name, _ in entries], loc="upper center",
+                bbox_to_anchor=(0.5, -0.14), ncol=min(len(entries), 4),
+                frameon=False, fontsize=8)
+
+
+def select(values, component):
+    """A component of vectors ("x") or tensors ("xy"), or the magnitude."""
+    if values.ndim == 1:
+        return values
+    if component is None:
+        return np.linalg.norm(values, axis=1)
+    indices = ["xyz".index(letter) for letter in component]
+    wanted = 3 if len(indices) == 1 else 9
+    if values.shape[1] != wanted:
+        raise ValueError(f"component {component} of {values.shape[1]} numbers")
+    return values[:, sum(i*3**k for k, i in enumerate(reversed(indices)))]
+
+
+def quantity(case, name, time, component=None):
+    """Name of what a field shows, with its unit."""
+    file = case.file(name, time)
+    scalar = "ScalarField" in file.header
+    text = (name if scalar else f"|{name}|" if component is None
+            else f"{name}$_{{{component}}}$")
+    return label(text, file.dimensions())
 
 
 def draw_field(axes, case, name, time, component=None, limits=None):
     """Colour the cells by a field: a scalar, a component of a vector or its
     magnitude. Returns what a colour bar needs."""
     values = case.field(name, time)
-    if values.ndim > 1:
-        values = (np.linalg.norm(values, axis=1) if component is None
-                  else values[:, component])
+    if isinstance(component, int):
+        component = "xyz"[component]
+    values = select(values, component)
     low, high = limits or (values.min(), values.max())
     signed = low < 0 < high
     if signed:
         high = max(-low, high)
         low = -high
+    plane = case.plane()
     cells = PolyCollection(
-        [corners[:, :2] for corners in case.polygons()], array=values,
+        [corners[:, plane] for corners in case.polygons()], array=values,
         cmap="RdBu_r" if signed else "viridis", edgecolors="face", lw=0.2)
     cells.set_clim(low, high)
     axes.add_collection(cells)
@@ -63,20 +126,73 @@ def draw_field(axes, case, name, time, component=None, limits=None):
 
 def draw_walls(axes, case):
     """Draw the faces of all patches that are neither empty nor cyclic."""
+    i, j = case.plane()
     for a, b in case.boundary_edges():
-        axes.plot([a[0], b[0]], [a[1], b[1]], color="black", lw=1.5,
+        axes.plot([a[i], b[i]], [a[j], b[j]], color="black", lw=1.5,
                   solid_capstyle="round")
 
 
-def draw_velocity(axes, case, time, n=25):
-    """Draw velocity arrows, about n along the longer side."""
-    xyz, velocity = case.centres(), case.field("U", time)
-    span = np.ptp(xyz[:, :2], axis=0).max()
-    bins = np.round(xyz[:, :2]/span*n).astype(int)
+def name_axes(axes, case):
+    """Name the axes of the plane."""
+    across, up = ("xyz"[i] for i in case.plane())
+    axes.set_xlabel(f"{across} [m]")
+    axes.set_ylabel(f"{up} [m]")
+
+
+def flow_in_plane(case, time):
+    """Centres and velocities of the cells in the plane, (n, 2) each."""
+    plane = case.plane()
+    centres = np.array([corners.mean(axis=0)[plane]
+                        for corners in case.polygons()])
+    return centres, case.field("U", time)[:, plane]
+
+
+def draw_velocity(axes, case, time, n=25, key=False):
+    """Draw velocity arrows, about n along the longer side, and what their
+    length means where a key is wanted."""
+    xy, velocity = flow_in_plane(case, time)
+    span = np.ptp(xy, axis=0).max()
+    bins = np.round(xy/span*n).astype(int)
     _, first = np.unique(bins, axis=0, return_index=True)
-    axes.quiver(xyz[first, 0], xyz[first, 1],
-                velocity[first, 0], velocity[first, 1],
-                color="#2a5d8a", width=0.0025, pivot="mid")
+    arrows = axes.quiver(*xy[first].T, *velocity[first].T, color="#2a5d8a",
+                         width=0.0025, pivot="mid")
+    if key:
+        speed = float(f"{np.hypot(*velocity.T).max():.1g}")
+        axes.quiverkey(arrows, 0.86, 1.035, speed, f"{speed:g} m/s",
+                       labelpos="E", fontproperties={"size": 8})
+
+
+def draw_streamlines(axes, case, time, n=120):
+    """Draw lines along the velocity, wider where it is faster; returns what
+    matplotlib makes of them."""
+    xy, velocity = flow_in_plane(case, time)
+    edges = np.array(case.boundary_edges())[:, :, case.plane()]
+    low, high = edges.min(axis=(0, 1)), edges.max(axis=(0, 1))
+    step = (high - low).max()/n
+    places = [np.linspace(a, b, max(int(round((b - a)/step)), 2))
+              for a, b in zip(low, high)]
+    grid = np.meshgrid(*places)
+    u = LinearNDInterpolator(xy, velocity)(np.stack(grid, axis=-1))
+
+    # Nothing where there is no cell
+    inside = np.zeros(grid[0].shape, bool)
+    points = np.stack(grid, axis=-1).reshape(-1, 2)
+    for corners in case.polygons():
+        polygon = corners[:, case.plane()]
+        a, b = polygon.min(axis=0), polygon.max(axis=0)
+        rows = slice(*np.searchsorted(places[1], [a[1], b[1]] + np.array(
+            [-1e-9, 1e-9])*step))
+        columns = slice(*np.searchsorted(places[0], [a[0], b[0]] + np.array(
+            [-1e-9, 1e-9])*step))
+        some = points.reshape(*inside.shape, 2)[rows, columns]
+        inside[rows, columns] |= Path(polygon).contains_points(
+            some.reshape(-1, 2), radius=1e-9*step).reshape(some.shape[:2])
+    u[~inside] = np.nan
+
+    speed = np.hypot(u[..., 0], u[..., 1])
+    width = 0.4 + 1.4*np.nan_to_num(speed/max(np.nanmax(speed), 1e-300))
+    return axes.streamplot(*places, u[..., 0], u[..., 1], color="#2a5d8a",
+                           linewidth=width, density=1.4, arrowsize=0.8)
 
 
 def snapshot(case, time, materials, file=None, axes=None, velocity=True,
@@ -90,8 +206,7 @@ def snapshot(case, time, materials, file=None, axes=None, velocity=True,
     if velocity:
         draw_velocity(axes, case, time)
     axes.set_aspect("equal")
-    axes.set_xlabel("x [m]")
-    axes.set_ylabel("y [m]")
+    name_axes(axes, case)
     axes.set_title(f"t = {float(time):.3g} s")
     if figure is not None:
         figure.tight_layout()
@@ -101,7 +216,8 @@ def snapshot(case, time, materials, file=None, axes=None, velocity=True,
 
 def snapshots(case, times, materials, file, velocity=True, columns=None):
     """Pictures of several times side by side, or in so many columns."""
-    span = np.ptp(np.array(case.boundary_edges())[:, :, :2], axis=(0, 1))
+    span = np.ptp(np.array(case.boundary_edges())[:, :, case.plane()],
+                  axis=(0, 1))
     columns = columns or len(times)
     rows = -(-len(times)//columns)
     each = max(3.2, 12.8/columns if rows > 1 else 0)
@@ -182,7 +298,7 @@ def comparison(places, line, label, panels, file):
 def fields(case, time, names, file):
     """Fields at a time side by side; names are (field, component or None,
     label)."""
-    span = np.ptp(case.centres()[:, :2], axis=0)
+    span = np.ptp(case.centres()[:, case.plane()], axis=0)
     figure, axes = plt.subplots(
         1, len(names), dpi=130, squeeze=False, sharey=True,
         figsize=(4.6*len(names), 3.4*span[1]/span[0] + 0.8))
@@ -217,7 +333,7 @@ def curves(lines, labels, file):
 
 def frame_of(case):
     """Figure, axes and limits ((x, x), (y, y)) that fit the mesh."""
-    ends = np.array(case.boundary_edges())[:, :, :2]
+    ends = np.array(case.boundary_edges())[:, :, case.plane()]
     low, high = ends.min(axis=(0, 1)), ends.max(axis=(0, 1))
     margin = 0.02*(high - low).max()
     height = 5.4*(high - low)[1]/(high - low)[0] + 0.9
@@ -247,8 +363,14 @@ def drawing(case, options, limits, colours):
             axes.figure.dpi_scale_trans.inverted())
         return 1.3*72**2*box.width*box.height/len(case.cloud("dye", time))
 
+    def points(axes, time):
+        """The points, where there are any and no field is asked for."""
+        draw_points(axes, case, time, options["material"],
+                    options["size"] or point_size(axes, time),
+                    options["dye"])
+        draw_legend(axes, case, time, options["material"], options["dye"])
+
     def draw(axes, time):
-        folder = case.path/time/"lagrangian"
         axes.set_aspect("equal")
         axes.set_xlim(*limits[0])
         axes.set_ylim(*limits[1])
@@ -256,18 +378,19 @@ def drawing(case, options, limits, colours):
             cells = draw_field(axes, case, options["field"], time,
                                options["component"], colours)
             if axes.figure.axes == [axes]:
-                axes.figure.colorbar(cells, ax=axes, label=options["field"])
-            axes.set_xlim(*limits[0])
-            axes.set_ylim(*limits[1])
-        elif folder.exists():
-            draw_points(axes, case, time, options["material"],
-                        options["size"] or point_size(axes, time))
+                axes.figure.colorbar(cells, ax=axes, label=quantity(
+                    case, options["field"], time, options["component"]))
+        elif find(case.path/time/"lagrangian/materialPoints/dye"):
+            points(axes, time)
         draw_walls(axes, case)
+        if options["streamlines"]:
+            draw_streamlines(axes, case, time)
         if options["arrows"]:
-            draw_velocity(axes, case, time)
-        axes.set_xlabel("x [m]")
-        axes.set_ylabel("y [m]")
-        axes.set_title(f"t = {float(time):.4g} s")
+            draw_velocity(axes, case, time, key=True)
+        axes.set_xlim(*limits[0])
+        axes.set_ylim(*limits[1])
+        name_axes(axes, case)
+        axes.set_title(f"t = {float(time):.4g} s", loc="left")
 
     return draw
 
@@ -276,64 +399,100 @@ def field_limits(case, name, component, times):
     """Smallest and largest value over all times, for one scale of colours."""
     low, high = np.inf, -np.inf
     for time in times:
-        values = case.field(name, time)
-        if values.ndim > 1:
-            values = (np.linalg.norm(values, axis=1) if component is None
-                      else values[:, component])
+        values = select(case.field(name, time), component)
         low, high = min(low, values.min()), max(high, values.max())
     return low, high
 
 
-def main():
-    """The command line."""
+def numbers_of(materials, case, time, refuse):
+    """Numbers of materials given by name or number."""
+    names = material_names(case, time)
+    for each in materials or []:
+        if not each.isdigit() and each not in names:
+            refuse(f"no material {each}; there are {' '.join(names)}")
+    return ([int(m) if m.isdigit() else names.index(m) for m in materials]
+            if materials else range(len(MATERIAL)))
+
+
+def arguments():
+    """Parser of the command line."""
     parser = argparse.ArgumentParser(
-        prog="foamPicture", description=__doc__.split("\n", maxsplit=1)[0])
+        prog="foamPicture", description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("case", nargs="?", default=".")
     parser.add_argument("-time", help="time, or latest (the default)")
     parser.add_argument("-field", help="colour the cells by a field of the"
                         " time folder; without it the points are drawn")
-    parser.add_argument("-component", choices="xyz",
-                        help="of a vector field; its magnitude by default")
-    parser.add_argument("-material", type=int, nargs="+",
-                        help="points of these materials, by their number in"
-                        " constant/materialProperties from 0; all by default")
+    parser.add_argument("-component", help="x, y or z of a vector field, xx to"
+                        " zz of a tensor field; its magnitude by default")
+    parser.add_argument("-material", nargs="+",
+                        help="points of these materials, by name or by their"
+                        " number from 0; all by default")
+    parser.add_argument("-dye", action="store_true",
+                        help="each mark of the dye in a colour of its own")
     parser.add_argument("-size", type=float,
                         help="of a point, in points^2")
     parser.add_argument("-arrows", action="store_true",
-                        help="draw the velocity")
+                        help="draw the velocity, with its scale")
+    parser.add_argument("-streamlines", action="store_true",
+                        help="draw lines along the velocity")
     parser.add_argument("-animate", action="store_true",
                         help="a GIF of all times")
+    parser.add_argument("-dpi", type=float, default=150,
+                        help="points an inch of a PNG; 150 by default")
     parser.add_argument("-o", help="file, picture.png or animation.gif by"
-                        " default")
-    asked = parser.parse_args()
+                        " default; .pdf and .svg for print")
+    return parser
 
-    case = Case(asked.case)
-    if not (case.path/"constant/polyMesh/faces").exists():
-        parser.error(f"no mesh in {case.path}: run blockMesh")
+
+def times_of(case, asked, refuse):
+    """The times that are asked for; or what is wrong with them."""
+    if not find(case.path/"constant/polyMesh/faces"):
+        refuse(f"no mesh in {case.path}: run blockMesh")
     every = case.times()
+    if find(case.path/"0/uniform/written"):
+        every.insert(0, "0")
     if not every:
-        parser.error(f"no times in {case.path} but 0: run the solver, and"
-                     " reconstructPar where it ran in parallel")
+        refuse(f"no times in {case.path} but 0: run the solver, and"
+               " reconstructPar where it ran in parallel")
     if asked.time in (None, "latest"):
         asked.time = every[-1]
     if asked.time not in every:
-        parser.error(f"no time {asked.time}; there are {' '.join(every)}")
+        refuse(f"no time {asked.time}; there are {' '.join(every)}")
     times = every if asked.animate else [asked.time]
-    if asked.field and not (case.path/times[-1]/asked.field).exists():
-        names = sorted(f.name for f in (case.path/times[-1]).iterdir()
-                       if f.is_file())
-        parser.error(f"no field {asked.field} at {times[-1]};"
-                     f" there are {' '.join(names)}")
+    if asked.field and not find(case.path/times[-1]/asked.field):
+        names = sorted({f.name.removesuffix(".gz")
+                        for f in (case.path/times[-1]).iterdir()
+                        if f.is_file()})
+        refuse(f"no field {asked.field} at {times[-1]};"
+               f" there are {' '.join(names)}")
+    return times
 
-    component = "xyz".index(asked.component) if asked.component else None
+
+def main():
+    """The command line."""
+    parser = arguments()
+    asked = parser.parse_args()
+    case = Case(asked.case)
+    times = times_of(case, asked, parser.error)
+
     colours = None
+    if asked.component and not re.fullmatch("[xyz]{1,2}", asked.component):
+        parser.error(f"no component {asked.component}; there are x, y, z of"
+                     " vectors, xx to zz of tensors")
     if asked.field:
-        colours = field_limits(case, asked.field, component, times)
+        try:
+            colours = field_limits(case, asked.field, asked.component, times)
+        except ValueError as problem:
+            parser.error(f"field {asked.field} has no {problem}")
     figure, axes, limits = frame_of(case)
     draw = drawing(
-        case, {"field": asked.field, "component": component,
-               "material": asked.material or range(len(MATERIAL)),
-               "size": asked.size, "arrows": asked.arrows}, limits, colours)
+        case, {"field": asked.field, "component": asked.component,
+               "material": numbers_of(asked.material, case, times[0],
+                                      parser.error),
+               "size": asked.size, "arrows": asked.arrows,
+               "streamlines": asked.streamlines, "dye": asked.dye},
+        limits, colours)
 
     if asked.animate:
         file = asked.o or "animation.gif"
@@ -343,7 +502,7 @@ def main():
     file = asked.o or "picture.png"
     draw(axes, times[0])
     figure.tight_layout()
-    figure.savefig(file)
+    figure.savefig(file, dpi=asked.dpi)
     print(f"{file}: t = {times[0]} s")
 
 

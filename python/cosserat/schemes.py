@@ -46,8 +46,11 @@ def choose(case, entry, name):
 def told(log):
     """Names that a message of the solver tells as allowed, instead of the
     unknown one."""
-    message = log.rpartition(UNKNOWN)[2].split("From function")[0]
-    lists = re.findall(r"\d+\s*\(([^()]*)\)", message)
+    # Versions print lists with or without their size, and where an error is
+    # from with or without 'function'
+    message = re.split(r"\n\s*(?:From |file: )",
+                       log.rpartition(UNKNOWN)[2])[0]
+    lists = re.findall(r"^\s*\d*\s*\(([^()]*)\)", message, re.M)
     if lists:
         return " ".join(lists).split()
     allowed = re.search(r"Allowed: (.*)", message)

@@ -51,7 +51,8 @@ static void startMPI()
     MPI_Initialized(&started);
     if (!started)
     {
-        MPI_Init(nullptr, nullptr);
+        // OpenFOAM does not end what it has started in a serial run
+        Foam::UPstream::initNull();
         std::atexit
         (
             []

@@ -89,7 +89,7 @@ def measure(case, scene, parameters):
                          else "multigrid")
         row["converged"] = done.returncode == 0
         if done.returncode:
-            match = re.search(r"FATAL.*?\n(.*?)\n\s*From function", log, re.S)
+            match = re.search(r"FATAL.*?\n(.*?)\n\s*From ", log, re.S)
             row["error"] = " ".join((match[1] if match else log[-300:]).split())
             return row
         if tolerance == 1e-6:

@@ -75,9 +75,11 @@ SourceFiles
 #include "continuedTime.H"
 #include "creepingFlow.H"
 #include "gravityMeshObject.H"
+#include "givenFractions.H"
 #include "materialPointCloud.H"
 #include "progress.H"
 #include "sigFpe.H"
+#include "unreadFiles.H"
 #include <cstdlib>
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -96,6 +98,12 @@ int main(int argc, char *argv[])
     #include "postProcess.H"
 
     #include "addCheckCaseOptions.H"
+    argList::addBoolOption
+    (
+        "solveOnce",
+        "Solve for the flow of the start time and write it there, with the"
+        " results of function objects; move no point"
+    );
     #include "setRootCaseLists.H"
     #include "checkInput.H"
     continuedTime runTime(args);
@@ -104,6 +112,7 @@ int main(int argc, char *argv[])
     #include "checkTimeControls.H"
 
     #include "createFields.H"
+    unreadFiles::report(materials, points.valid());
     progress done(runTime);
     flow.solve();
     if (points.valid())
@@ -112,7 +121,14 @@ int main(int argc, char *argv[])
     }
     done.spent("flow");
 
-    while (runTime.run())
+    if (args.found("solveOnce"))
+    {
+        runTime.writeNow();
+        runTime.functionObjects().execute();
+        runTime.functionObjects().end();
+    }
+
+    while (!args.found("solveOnce") && runTime.run())
     {
         // Of fields and function objects, the latter in run()
         done.spent("output");

@@ -43,6 +43,7 @@ Usage
 #include "checkedEntry.H"
 #include "creepingFlow.H"
 #include "gravityMeshObject.H"
+#include "givenFractions.H"
 #include "materialPointCloud.H"
 #include "clockTime.H"
 #include "memInfo.H"

@@ -46,6 +46,11 @@ namespace Foam
     {
         ITstream& is = dict.lookup(key, keyType::LITERAL);
 
+        if (is.nRemainingTokens() == 0)
+        {
+            checkedEntry::refuse(dict, key, "empty", allowed);
+        }
+
         // An optional name, and optional dimensions
         token first(is);
         if (!first.isWord() || is.nRemainingTokens() == 0)
@@ -66,6 +71,10 @@ namespace Foam
                 OStringStream os;
                 os  << "of dimensions " << found << " instead of " << dims;
                 checkedEntry::refuse(dict, key, os.str(), allowed);
+            }
+            if (is.nRemainingTokens() == 0)
+            {
+                checkedEntry::refuse(dict, key, "without a number", allowed);
             }
         }
 

@@ -25,6 +25,7 @@ License
 #include "Pstream.H"
 #include "StringStream.H"
 #include "token.H"
+#include <algorithm>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -35,15 +36,31 @@ void Foam::checkedText::next()
     {
         return;
     }
+    if (!rest_.empty())
+    {
+        token_.swap(rest_);
+        splitUnits();
+        return;
+    }
 
     token t;
     is_.read(t);
 
-    if (t.good())
+    if (expression_ && t == token::BEGIN_BLOCK)
+    {
+        // Text up to the bracket, whatever brackets are in it
+        is_.getLine(token_, token::END_BLOCK);
+        token_ = "#eval{" + token_ + '}';
+        expression_ = false;
+    }
+    else if (t.good())
     {
         OStringStream os;
         os  << t;
         token_ = os.str();
+        expression_ = token_ == "#eval";
+
+        splitUnits();
     }
     else if (!is_.eof())
     {
@@ -57,6 +74,67 @@ void Foam::checkedText::next()
     {
         written_ = true;
         token_.clear();
+    }
+}
+
+
+void Foam::checkedText::splitUnits()
+{
+    // To the stream ']' is a letter like others: [m s^-1] ends in a word
+    const auto at = token_.find(']');
+
+    if (inUnits_ && at != string::npos && token_.size() > 1)
+    {
+        const auto length = std::max<string::size_type>(at, 1);
+        rest_ = token_.substr(length);
+        token_.resize(length);
+    }
+}
+
+
+void Foam::checkedText::skipDirective()
+{
+    const string directive(token_);
+
+    // Entries may be given again where others choose among them or take them
+    // away
+    branches_ =
+        branches_ || directive.compare(0, 3, "#if") == 0
+     || directive == "#remove" || directive == "#inputMode";
+
+    if (directive == "#else" || directive == "#endif")
+    {
+        next();
+    }
+    else if (directive == "#ifeq")
+    {
+        next();
+        next();
+        next();
+    }
+    else if
+    (
+        directive.compare(0, 8, "#include") == 0
+     || directive.compare(0, 9, "#sinclude") == 0
+     || directive == "#inputMode" || directive == "#remove"
+    )
+    {
+        // What follows may be on the same line, the end of a dictionary too
+        next();
+        label depth = 0;
+        do
+        {
+            if (token_[0] != '"')
+            {
+                depth += std::count(token_.begin(), token_.end(), '(');
+                depth -= std::count(token_.begin(), token_.end(), ')');
+            }
+            next();
+        } while (depth > 0 && !token_.empty());
+    }
+    else
+    {
+        skipLine();
     }
 }
 
@@ -109,8 +187,7 @@ void Foam::checkedText::readEntries(const bool file, const label line)
         }
         if (token_[0] == '#')
         {
-            branches_ = branches_ || token_.compare(0, 3, "#if") == 0;
-            skipLine();
+            skipDirective();
             continue;
         }
         if (string("()[]{").find(token_) != string::npos)
@@ -180,7 +257,11 @@ void Foam::checkedText::readValue()
                 << "Entry '" << key.c_str() << "' has no end" << nl
                 << "    Allowed: each entry ended by ';'" << exit(FatalIOError);
         }
-        if (token_ == "(" || token_ == "[" || token_ == "{")
+        if (token_ == "[")
+        {
+            readUnits();
+        }
+        else if (token_ == "(" || token_ == "{")
         {
             const char open = token_[0];
             const label line = is_.lineNumber();
@@ -200,9 +281,31 @@ void Foam::checkedText::readValue()
 }
 
 
+void Foam::checkedText::readUnits()
+{
+    const label line = is_.lineNumber();
+
+    // Numbers or names, with brackets of their own: [kg/(m s)]
+    inUnits_ = true;
+    do
+    {
+        next();
+        if
+        (
+            (token_.empty() && !written_)
+         || token_ == ";" || token_ == "{" || token_ == "}"
+        )
+        {
+            refuse('[', line);
+        }
+    } while (token_ != "]" && !written_);
+    inUnits_ = false;
+}
+
+
 void Foam::checkedText::readList(const char open, const label line)
 {
-    const string end(1, open == '(' ? ')' : open == '[' ? ']' : '}');
+    const string end(1, open == '(' ? ')' : '}');
 
     while (token_ != end && !written_)
     {
@@ -212,7 +315,11 @@ void Foam::checkedText::readList(const char open, const label line)
             next();
             readEntries(false, begin);
         }
-        else if (token_ == "(" || token_ == "[" || token_ == "{")
+        else if (token_ == "[")
+        {
+            readUnits();
+        }
+        else if (token_ == "(" || token_ == "{")
         {
             const char inner = token_[0];
             const label begin = is_.lineNumber();
@@ -237,6 +344,8 @@ void Foam::checkedText::readList(const char open, const label line)
 Foam::checkedText::checkedText(const fileName& file)
 :
     is_(file),
+    inUnits_(false),
+    expression_(false),
     written_(false),
     branches_(false)
 {

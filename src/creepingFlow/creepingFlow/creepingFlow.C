@@ -419,6 +419,7 @@ void Foam::creepingFlow::report()
             << ", Final residual = " << performance_.final[i]
             << ", No Iterations " << performance_.iterations << endl;
     }
+    tellFunctionObjects();
 
     if (performance_.converged)
     {
@@ -431,13 +432,7 @@ void Foam::creepingFlow::report()
     {
         if (!std::isfinite(residual))
         {
-            FatalErrorInFunction
-                << "The flow at time " << mesh_.time().timeName()
-                << " is not finite: residuals of U, p_rgh, omega "
-                << performance_.final << nl
-                << "    Constants of materials, loads, velocities or lengths"
-                << " are so large that their products are no numbers"
-                << exit(FatalError);
+            refuseNotFinite();
         }
     }
 
@@ -447,6 +442,10 @@ void Foam::creepingFlow::report()
             << "not converged at time " << mesh_.time().timeName()
             << " after " << performance_.iterations
             << " iterations; going on, since notConverged is warn" << endl;
+    }
+    else if (belowRounding())
+    {
+        refuseTolerance();
     }
     else
     {

@@ -23,6 +23,46 @@ License
 
 #include "creepingFlow.H"
 #include "fvcGrad.H"
+#include "openfoamVersion.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::creepingFlow::tellFunctionObjects() const
+{
+    const word solver("FGMRES");
+    const flexibleGMRES::performance& did = performance_;
+
+    auto scalars = [&](const word& name, const label i)
+    {
+        solverData(mesh_).setSolverPerformance
+        (
+            name,
+            SolverPerformance<scalar>
+            (
+                solver, name, did.initial[i], did.final[i],
+                did.iterations, did.converged, false
+            )
+        );
+    };
+
+    // One residual of all components
+    solverData(mesh_).setSolverPerformance
+    (
+        U_.name(),
+        SolverPerformance<vector>
+        (
+            solver, U_.name(), vector::uniform(did.initial[0]),
+            vector::uniform(did.final[0]),
+            Vector<label>::uniform(did.iterations), did.converged, false
+        )
+    );
+    scalars(pRgh_.name(), 1);
+    if (system_.cosserat())
+    {
+        scalars(omega_.name(), 2);
+    }
+}
+
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 

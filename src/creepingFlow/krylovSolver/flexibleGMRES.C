@@ -293,4 +293,24 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve(scalarField& x)
 }
 
 
+Foam::scalar Foam::flexibleGMRES::rounding(const scalarField& x) const
+{
+    scalarField r;
+    weightedResidual(scalarField(x.size(), Zero), r, true);
+    const scalar reference = Foam::sqrt(gSumSqr(r));
+
+    // Up or down by half a digit, without a pattern in the mesh
+    scalarField rounded(0.5*SMALL*x);
+    unsigned bits = 1;
+    for (scalar& value : rounded)
+    {
+        bits = 1664525*bits + 1013904223;
+        value = bits & 0x80000000 ? value : -value;
+    }
+    weightedResidual(rounded, r, false);
+
+    return Foam::sqrt(gSumSqr(r))/max(reference, VSMALL);
+}
+
+
 // ************************************************************************* //

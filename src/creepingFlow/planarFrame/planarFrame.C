@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "planarFrame.H"
+#include "oneLayer.H"
 #include "polyMesh.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -52,6 +53,8 @@ Foam::planarFrame::planarFrame(const polyMesh& mesh)
             << " type empty in front and back (and no wedge)"
             << exit(FatalError);
     }
+
+    oneLayer::check(mesh, normal_);
 }
 
 

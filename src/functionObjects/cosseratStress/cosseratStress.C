@@ -37,6 +37,28 @@ namespace functionObjects
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class FieldType>
+void Foam::functionObjects::cosseratStress::keep(const tmp<FieldType>& tfield)
+{
+    const word name(tfield().name());
+    fields_.insert(name);
+
+    if (mesh_.foundObject<FieldType>(name))
+    {
+        mesh_.lookupObjectRef<FieldType>(name) = tfield;
+    }
+    else
+    {
+        regIOobject::store
+        (
+            new FieldType(IOobject(name, time_.timeName(), mesh_), tfield)
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::functionObjects::cosseratStress::cosseratStress
@@ -54,13 +76,24 @@ Foam::functionObjects::cosseratStress::cosseratStress
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::functionObjects::cosseratStress::write()
+bool Foam::functionObjects::cosseratStress::execute()
 {
     const creepingFlow& flow = creepingFlow::find(mesh_);
 
-    flow.stress()().write();
-    flow.coupleStress()().write();
-    flow.dissipation()().write();
+    keep(flow.stress());
+    keep(flow.coupleStress());
+    keep(flow.dissipation());
+
+    return true;
+}
+
+
+bool Foam::functionObjects::cosseratStress::write()
+{
+    for (const word& field : fields_)
+    {
+        writeObject(field);
+    }
 
     return true;
 }

@@ -42,66 +42,111 @@ namespace functionObjects
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::functionObjects::pointTracers::choose()
+Foam::labelPair Foam::functionObjects::pointTracers::nearest
+(
+    const point& place
+) const
 {
     const materialPointCloud& cloud =
         mesh_.lookupObject<materialPointCloud>(materialPointCloud::cloudName);
 
-    identity_.setSize(places_.size());
+    // Of each processor: distance of its nearest point, and which it is
+    scalarList distance(Pstream::nProcs(), GREAT);
+    labelList proc(Pstream::nProcs(), -1), id(proc);
+    const label me = Pstream::myProcNo();
 
-    forAll(places_, i)
+    for (const materialPoint& p : cloud)
     {
-        // Distance of the nearest point of each processor, and which it is
-        scalarList distance(Pstream::nProcs(), GREAT);
-        List<labelPair> identity(Pstream::nProcs(), labelPair(-1, -1));
-        const label me = Pstream::myProcNo();
-
-        for (const materialPoint& p : cloud)
+        const scalar d = magSqr(p.position() - place);
+        if (d < distance[me])
         {
-            const scalar d = magSqr(p.position() - places_[i]);
-            if (d < distance[me])
-            {
-                distance[me] = d;
-                identity[me] = labelPair(p.origProc(), p.origId());
-            }
+            distance[me] = d;
+            proc[me] = p.origProc();
+            id[me] = p.origId();
         }
-
-        Pstream::gatherList(distance);
-        Pstream::gatherList(identity);
-        identity_[i] = identity[findMin(distance)];
     }
 
-    sendToAll(identity_);
+    Pstream::gatherList(distance);
+    Pstream::gatherList(proc);
+    Pstream::gatherList(id);
 
-    strainRate_.setSize(places_.size(), 0);
-    rotationRate_.setSize(places_.size(), 0);
-    strain_.setSize(places_.size(), 0);
-    rotation_.setSize(places_.size(), 0);
+    const label first = findMin(distance);
+    labelPair identity(proc[first], id[first]);
+    sendToAll(identity);
+
+    return identity;
 }
 
 
-bool Foam::functionObjects::pointTracers::restart()
+void Foam::functionObjects::pointTracers::choose(const bool goOn)
 {
-    const labelList ids(getProperty<labelList>("identity", labelList()));
+    const label n = places_.size();
+    identity_.setSize(n);
+    number_.setSize(n);
+    followed_.setSize(n);
+    strainRate_.setSize(n, 0);
+    rotationRate_.setSize(n, 0);
+    strain_.setSize(n, 0);
+    rotation_.setSize(n, 0);
 
-    if (ids.size() != 2*places_.size())
-    {
-        return false;
-    }
+    const label nBefore = goOn ? findBefore() : 0;
+    label nNumbers = nBefore;
 
     forAll(places_, i)
     {
-        identity_[i] = labelPair(ids[2*i], ids[2*i + 1]);
+        if (!followed_[i])
+        {
+            identity_[i] = nearest(places_[i]);
+            number_[i] = nNumbers++;
+        }
     }
+}
+
+
+Foam::label Foam::functionObjects::pointTracers::findBefore()
+{
+    const labelList ids(getProperty<labelList>("identity", labelList()));
+    const labelList numbers(getProperty<labelList>("number", labelList()));
+    const pointField places(getProperty<pointField>("places", pointField()));
     const scalarList strain(getProperty<scalarList>("strain", scalarList()));
     const scalarList rotation
     (
         getProperty<scalarList>("rotation", scalarList())
     );
-    strain_ = strain;
-    rotation_ = rotation;
+    const scalar nothing = 1e-9*mesh_.bounds().mag();
+    label nNumbers = 0;
 
-    return true;
+    forAll(places, j)
+    {
+        nNumbers = max(nNumbers, numbers[j] + 1);
+        label found = -1;
+        forAll(places_, i)
+        {
+            if
+            (
+                found < 0 && !followed_[i]
+             && mag(places_[i] - places[j]) < nothing
+            )
+            {
+                found = i;
+            }
+        }
+
+        if (found < 0)
+        {
+            Info<< type() << ' ' << name() << ": the point of tracer"
+                << numbers[j] << ", from " << places[j]
+                << ", is no longer followed" << endl;
+            continue;
+        }
+        identity_[found] = labelPair(ids[2*j], ids[2*j + 1]);
+        number_[found] = numbers[j];
+        strain_[found] = strain[j];
+        rotation_[found] = rotation[j];
+        followed_[found] = true;
+    }
+
+    return nNumbers;
 }
 
 
@@ -117,23 +162,23 @@ void Foam::functionObjects::pointTracers::begin()
             << exit(FatalIOError);
     }
 
-    choose();
     // Of times already written strain and rotation count from the first one
-    const bool again = !postProcess && restart();
+    choose(!postProcess);
 
     if (Pstream::master())
     {
         files_.setSize(places_.size());
         forAll(places_, i)
         {
-            files_.set(i, newOutputFile("tracer" + Foam::name(i)).ptr());
+            const word file("tracer" + Foam::name(number_[i]));
+            files_.set(i, newOutputFile(file).ptr());
             OFstream& os = files_[i];
             writeHeader
             (
                 os,
                 string("Material point ") + Foam::name(identity_[i].first())
               + ":" + Foam::name(identity_[i].second())
-              + (again ? ", followed further" : "")
+              + (followed_[i] ? ", followed further" : "")
             );
             writeCommented(os, "Time [s]");
             for
@@ -305,6 +350,8 @@ bool Foam::functionObjects::pointTracers::write()
         ids[2*i + 1] = identity_[i].second();
     }
     setProperty("identity", ids);
+    setProperty("number", number_);
+    setProperty("places", places_);
     setProperty("strain", scalarList(strain_));
     setProperty("rotation", scalarList(rotation_));
 

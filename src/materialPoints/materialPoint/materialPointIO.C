@@ -130,6 +130,31 @@ void Foam::materialPoint::writeFields(const Cloud<materialPoint>& cloud)
 }
 
 
+void Foam::materialPoint::writeObjects
+(
+    const Cloud<materialPoint>& cloud,
+    objectRegistry& obr
+)
+{
+    particle::writeObjects(cloud, obr);
+
+    const label n = cloud.size();
+
+    auto& material = cloud::createIOField<label>("material", n, obr);
+    auto& dye = cloud::createIOField<label>("dye", n, obr);
+    auto& volume = cloud::createIOField<scalar>("volume", n, obr);
+
+    label i = 0;
+    for (const materialPoint& p : cloud)
+    {
+        material[i] = p.material_;
+        dye[i] = p.dye_;
+        volume[i] = p.volume_;
+        ++i;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * IOstream Operators  * * * * * * * * * * * * //
 
 Foam::Ostream& Foam::operator<<(Ostream& os, const materialPoint& p)

@@ -23,6 +23,7 @@ License
 
 #include "materialPointCloud.H"
 #include "checkedEntry.H"
+#include "materialNames.H"
 #include "ListOps.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -65,6 +66,38 @@ void Foam::materialPointCloud::checkStart() const
             << "    Cures: start from another time; or, to seed points anew at"
             << " this one, delete " << time.timeName() << "/uniform"
             << exit(FatalError);
+    }
+}
+
+
+void Foam::materialPointCloud::renumberMaterials()
+{
+    const wordList before(materialNames::read(mesh_));
+    if (before.empty() || before == materials_)
+    {
+        return;
+    }
+
+    for (materialPoint& p : *this)
+    {
+        const label m = p.material();
+        if (m < 0 || m >= before.size())
+        {
+            // Refused as it is
+            continue;
+        }
+
+        p.material() = materials_.find(before[m]);
+        if (p.material() < 0)
+        {
+            FatalErrorInFunction
+                << "Points of time " << mesh_.time().timeName()
+                << " are of the material " << before[m]
+                << ", which constant/materialProperties no longer has" << nl
+                << "    Allowed: materials in any order, further ones, but all"
+                << " those that points are of; found: "
+                << flatOutput(materials_) << exit(FatalError);
+        }
     }
 }
 
@@ -153,6 +186,7 @@ Foam::materialPointCloud::materialPointCloud
     particle::writeLagrangianPositions = true;
 
     materialPoint::readFields(*this);
+    renumberMaterials();
     checkRead();
 
     const bool restart = nPoints() > 0;
@@ -358,6 +392,13 @@ void Foam::materialPointCloud::summary
 void Foam::materialPointCloud::writeFields() const
 {
     materialPoint::writeFields(*this);
+    materialNames::write(mesh_, materials_);
+}
+
+
+void Foam::materialPointCloud::writeObjects(objectRegistry& obr) const
+{
+    materialPoint::writeObjects(*this, obr);
 }
 
 

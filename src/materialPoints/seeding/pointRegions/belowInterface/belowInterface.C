@@ -37,6 +37,32 @@ namespace pointRegions
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::dictionary Foam::pointRegions::belowInterface::withFile
+(
+    const dictionary& dict,
+    const polyMesh& mesh
+)
+{
+    dictionary copy(dict);
+
+    for (const word& name : {word("height"), word("heightCoeffs")})
+    {
+        dictionary* function = copy.findDict(name);
+        if (function && function->found("file"))
+        {
+            function->set
+            (
+                "file", inCase(function->get<fileName>("file"), mesh)
+            );
+        }
+    }
+
+    return copy;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::pointRegions::belowInterface::belowInterface
@@ -47,7 +73,7 @@ Foam::pointRegions::belowInterface::belowInterface
 :
     along_(checkedEntry::direction("along", dict)),
     up_(checkedEntry::direction("up", dict)),
-    height_(Function1<scalar>::New("height", dict))
+    height_(Function1<scalar>::New("height", withFile(dict, mesh)))
 {
     checkedEntry::only
     (

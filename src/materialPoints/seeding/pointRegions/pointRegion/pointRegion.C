@@ -22,6 +22,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointRegion.H"
+#include "polyMesh.H"
+#include "Time.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -29,6 +31,21 @@ namespace Foam
 {
     defineTypeNameAndDebug(pointRegion, 0);
     defineRunTimeSelectionTable(pointRegion, dictionary);
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::fileName Foam::pointRegion::inCase
+(
+    const fileName& file,
+    const polyMesh& mesh
+)
+{
+    fileName name(file);
+    name.expand();
+
+    return name.isAbsolute() ? name : mesh.time().globalPath()/name;
 }
 
 

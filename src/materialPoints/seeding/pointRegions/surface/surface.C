@@ -46,7 +46,7 @@ Foam::pointRegions::surface::surface
     const polyMesh& mesh
 )
 :
-    surface_(dict.get<fileName>("file").expand()),
+    surface_(inCase(dict.get<fileName>("file"), mesh)),
     search_(surface_)
 {
     checkedEntry::only(dict, {"type", "material", "file"});

@@ -1,0 +1,115 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "creepingFlow.H"
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- Print the range of values over all processors, or that some are none
+    static void printRange
+    (
+        Ostream& os,
+        const char* name,
+        const scalarField& values
+    )
+    {
+        label nBad = 0;
+        scalar low = VGREAT, high = -VGREAT;
+        for (const scalar value : values)
+        {
+            nBad += !std::isfinite(value);
+            low = min(low, value);
+            high = max(high, value);
+        }
+        reduce(nBad, sumOp<label>());
+        reduce(low, minOp<scalar>());
+        reduce(high, maxOp<scalar>());
+
+        os  << "        " << name << ": ";
+        if (nBad)
+        {
+            os  << "no number in " << nBad << " cells" << nl;
+        }
+        else
+        {
+            os  << low << " to " << high << nl;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::creepingFlow::refuseNotFinite() const
+{
+    FatalErrorInFunction
+        << "The flow at time " << mesh_.time().timeName()
+        << " is not finite: residuals of U, p_rgh, omega "
+        << performance_.final << nl
+        << "    It is made of, smallest to largest:" << nl;
+
+    printRange(FatalError, "volume of a cell [m3]", mesh_.V());
+    printRange(FatalError, "rho [kg/m3]", materials_.rho());
+    printRange(FatalError, "eta [Pa s]", materials_.eta());
+    printRange(FatalError, "etaC [Pa s]", materials_.etaC());
+    printRange(FatalError, "M [Pa s m2]", materials_.M());
+
+    FatalError
+        << "    One of these, a load or a value on a patch is no number, or so"
+        << " large or small that products of them are none"
+        << exit(FatalError);
+}
+
+
+bool Foam::creepingFlow::belowRounding() const
+{
+    scalar sqrResidual = 0;
+    for (const scalar residual : performance_.final)
+    {
+        sqrResidual += sqr(residual);
+    }
+
+    // Sums in each cell round more often than once
+    return sqrt(sqrResidual) < 100*solver_.rounding(x_);
+}
+
+
+void Foam::creepingFlow::refuseTolerance() const
+{
+    FatalIOErrorInFunction(controls_)
+        << "Entry 'tolerance' is " << solver_.tolerance()
+        << ", but the flow at time " << mesh_.time().timeName()
+        << " has residuals of U, p_rgh, omega " << performance_.final
+        << " after " << performance_.iterations
+        << " iterations, and the rounding of its numbers alone makes "
+        << solver_.rounding(x_) << nl
+        << "    Allowed: what double precision can meet, here from about "
+        << 100*solver_.rounding(x_) << " on; or notConverged warn"
+        << exit(FatalIOError);
+}
+
+
+// ************************************************************************* //

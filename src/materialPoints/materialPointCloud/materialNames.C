@@ -1,0 +1,69 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "materialNames.H"
+#include "materialPointCloud.H"
+#include "openfoamVersion.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    static IOobject namesIO(const fvMesh& mesh, const IOobject::readOption read)
+    {
+        return IOobject
+        (
+            "materials",
+            mesh.time().timeName(),
+            "uniform"/cloud::prefix/materialPointCloud::cloudName,
+            mesh,
+            read,
+            IOobject::NO_WRITE,
+            false
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::materialNames::write(const fvMesh& mesh, const wordList& names)
+{
+    IOdictionary dict(namesIO(mesh, IOobject::NO_READ));
+    dict.add("names", names);
+    dict.regIOobject::writeObject(writeObjectInAscii);
+}
+
+
+Foam::wordList Foam::materialNames::read(const fvMesh& mesh)
+{
+    IOobject io(namesIO(mesh, IOobject::MUST_READ));
+
+    return
+        io.typeHeaderOk<IOdictionary>(true)
+      ? IOdictionary(io).get<wordList>("names")
+      : wordList();
+}
+
+
+// ************************************************************************* //
