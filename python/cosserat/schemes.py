@@ -50,7 +50,7 @@ def told(log):
     # from with or without 'function'
     message = re.split(r"\n\s*(?:From |file: )",
                        log.rpartition(UNKNOWN)[2])[0]
-    lists = re.findall(r"^\s*\d*\s*\(([^()]*)\)", message, re.M)
+    lists = re.findall(r"\(([^()]*)\)", message)
     if lists:
         return " ".join(lists).split()
     allowed = re.search(r"Allowed: (.*)", message)
