@@ -37,21 +37,28 @@ void Foam::cosseratSystem::wallLoads
     const labelUList& cells = patch.faceCells();
     const vectorField n(patch.nf());
     const vectorField d(patch.Cf() - patch.Cn());
-    const scalarField& rho = materials_.rho().primitiveField();
     const vector g(gravity());
 
     // What weightForce() moves from a cell to the next one is no force between
     // cell and wall
+    auto reconstructed = [&](const label c, const scalar s0, const scalar s1)
+    {
+        return frame_.inSpace
+        (
+            T00_[c]*s0 + T01_[c]*s1,
+            T10_[c]*s0 + T11_[c]*s1
+        );
+    };
     vectorField moved(nCells_, Zero);
     for (const label f : jump_)
     {
         const scalar s = (wSoft_[f] - w_[f])*S_[f]*ff_[f]/dc_[f];
-        const vector change(frame_.inSpace(s*n0_[f], s*n1_[f]));
+        const label P = own_[f], N = nei_[f];
 
-        moved[own_[f]] -= change/V_[own_[f]];
-        if (nei_[f] < nCells_)
+        moved[P] -= reconstructed(P, s*n0_[f], s*n1_[f]);
+        if (N < nCells_)
         {
-            moved[nei_[f]] += change/V_[nei_[f]];
+            moved[N] += reconstructed(N, s*n0_[f], s*n1_[f]);
         }
     }
 
@@ -67,7 +74,7 @@ void Foam::cosseratSystem::wallLoads
 
         // boundaryPressure takes no load from the cell to the face, by which p
         // rises there in a fluid at rest
-        vector force(rho[P]*g);
+        vector force(rho_[P]*g);
         if (!boundary_.pressureFixed(boundary_.at(slot)))
         {
             force += moved[P];
