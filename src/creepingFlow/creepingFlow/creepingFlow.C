@@ -645,19 +645,35 @@ void Foam::creepingFlow::solveOnce()
     // Also without iterations: patch fields wait for it to take new values
     unpack();
     report();
+    if (nSolves_ == 1)
+    {
+        checkPressureWork();
+    }
 }
 
 
 void Foam::creepingFlow::summary() const
 {
+    checkPressureWork();
+
     Info<< nl << "Flow: " << nSolves_ << " solves, " << nIterations_
         << " iterations, at most " << maxIterations_ << " in one, "
         << nUnconverged_ << " not converged" << endl;
 
     const cosseratSystem::powerTerms last(power());
-    Info<< "Power at the end: supplied " << last.supplied()
-        << " W, dissipated " << last.dissipated()
-        << " W, relative imbalance " << last.imbalance() << endl;
+    Info<< "Power at the end: supplied " << last.gravity + last.walls
+        << " W, dissipated " << last.dissipated() << " W";
+    if (!last.atRest() && !materials_.parts().has(sceneParts::COMPRESSIBILITY))
+    {
+        Info<< ", work of the discrete pressure " << 100*last.pressureError()
+            << " % of the supply";
+        if (last.pressureError() > 0.01)
+        {
+            Info<< nl << "    It is zero in the limit: cells are coarse for"
+                << " this flow";
+        }
+    }
+    Info<< endl;
 
     if (nUnconverged_)
     {

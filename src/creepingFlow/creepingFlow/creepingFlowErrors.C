@@ -84,6 +84,30 @@ void Foam::creepingFlow::refuseNotFinite() const
 }
 
 
+void Foam::creepingFlow::checkPressureWork() const
+{
+    if (goOn_ || materials_.parts().has(sceneParts::COMPRESSIBILITY))
+    {
+        return;
+    }
+
+    const cosseratSystem::powerTerms terms(power());
+    if (!terms.atRest() && terms.pressureError() > 1)
+    {
+        FatalErrorInFunction
+            << "The discrete pressure does " << terms.pressure
+            << " W of work at time " << mesh_.time().timeName()
+            << ", where gravity and walls supply "
+            << terms.gravity + terms.walls << " W and it should do none: the"
+            << " flow is wrong" << nl
+            << "    Allowed: less than the supply. Cells nearer to squares,"
+            << " smaller cells, smaller jumps of the viscosity; or"
+            << " notConverged warn, to go on all the same"
+            << exit(FatalError);
+    }
+}
+
+
 bool Foam::creepingFlow::belowRounding() const
 {
     scalar sqrResidual = 0;

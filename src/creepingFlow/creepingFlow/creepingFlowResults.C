@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "creepingFlow.H"
+#include "zeroGradientFvPatchFields.H"
 #include "fvcGrad.H"
 #include "openfoamVersion.H"
 
@@ -105,27 +106,29 @@ Foam::tmp<Foam::volVectorField> Foam::creepingFlow::coupleStress() const
 
 Foam::tmp<Foam::volScalarField> Foam::creepingFlow::dissipation() const
 {
-    const tmp<volTensorField> tgrad(gradU());
-    const volSymmTensorField D(symm(tgrad()));
-    const volScalarField s(omega_ - (frame_.e() & (*skew(tgrad()))));
+    // The state that the works on faces are of
+    scalarField r;
+    system_.residual(x_, r);
 
     tmp<volScalarField> tdissipation
     (
         volScalarField::New
         (
             "dissipation",
-            2*materials_.eta()*(D && D)
-          + 4*materials_.etaC()*sqr(s)
-          + materials_.M()*magSqr(fvc::grad(omega_, "linear"))
+            mesh_,
+            dimensionedScalar(dimPower/dimVolume, Zero),
+            zeroGradientFvPatchScalarField::typeName
         )
     );
+    scalarField& power = tdissipation.ref().primitiveFieldRef();
+    power = (system_.dissipated() + system_.bent())/mesh_.V();
 
     if (materials_.parts().has(sceneParts::COMPRESSIBILITY))
     {
-        // (B - eta) tr(D)^2, with B tr(D) = -p
-        tdissipation.ref() -=
-            (p_ + materials_.eta()*tr(D))*tr(D);
+        // B tr(D)^2, with B tr(D) = -p; the rest is in the viscous force
+        power -= p_.primitiveField()*tr(gradU()().primitiveField());
     }
+    tdissipation.ref().correctBoundaryConditions();
 
     return tdissipation;
 }

@@ -29,6 +29,23 @@ License
 #include "surfaceFields.H"
 #include "uniformDimensionedFields.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- The numbers of a 4 x 4 matrix, row by row
+    static FixedList<scalar, 16> listed(const scalarRectangularMatrix& M)
+    {
+        FixedList<scalar, 16> list;
+        forAll(list, i)
+        {
+            list[i] = M(i/4, i % 4);
+        }
+        return list;
+    }
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::cosseratSystem::setGeometry()
@@ -538,10 +555,60 @@ void Foam::cosseratSystem::setJumpCells()
     jumpInverse_.setSize(cells.size());
     forAll(systems, i)
     {
-        const scalarSquareMatrix inverse(SVDinv(systems[i]));
-        for (label j = 0; j < 16; ++j)
+        jumpInverse_[i] = listed(SVDinv(systems[i]));
+        systems[i] = scalarSquareMatrix(4, Identity<scalar>()) - systems[i];
+    }
+    setJumpWalls(systems);
+}
+
+
+void Foam::cosseratSystem::setJumpWalls
+(
+    const UList<scalarSquareMatrix>& jumps
+)
+{
+    // The correction at walls, G -> W G + ..., face by face
+    Map<scalarSquareMatrix> walls;
+    labelHashSet beside(jumpCells_);
+    for (const label f : oneSided_)
+    {
+        const label P = own_[f];
+        if (!beside.found(P))
         {
-            jumpInverse_[i][j] = inverse(j/4, j % 4);
+            continue;
+        }
+        walls.insert(P, scalarSquareMatrix(4, Identity<scalar>()));
+
+        const scalar n[] = {n0_[f], n1_[f]};
+        const scalar m[] = {n0_[f] - k0_[f], n1_[f] - k1_[f]};
+        scalarSquareMatrix W(4, Identity<scalar>());
+        for (label ij = 0; ij < 4; ++ij)
+        {
+            for (label l = 0; l < 2; ++l)
+            {
+                W(ij, 2*l + ij % 2) -= n[ij/2]*m[l]/3;
+            }
+        }
+        scalarSquareMatrix& product = walls[P];
+        product = scalarSquareMatrix(W*product);
+    }
+
+    // G = W (g + K G) + ..., of (1 - K)^-1 g before and its W after
+    jumpWalls_.setSize(walls.size());
+    label n = 0;
+    forAll(jumpCells_, i)
+    {
+        if (walls.found(jumpCells_[i]))
+        {
+            const scalarSquareMatrix WK(walls[jumpCells_[i]]*jumps[i]);
+            const scalarSquareMatrix after
+            (
+                SVDinv(scalarSquareMatrix(4, Identity<scalar>()) - WK)
+            );
+            jumpWalls_[n].celli = jumpCells_[i];
+            jumpWalls_[n].after = listed(after);
+            jumpWalls_[n].before = listed(after*WK);
+            ++n;
         }
     }
 }

@@ -143,6 +143,7 @@ void Foam::cosseratSystem::addCellEntries
     const scalarField& tangentialWeight,
     const scalarField& compliance,
     const FixedList<scalar, 16>* jumpInverse,
+    const jumpWall* wallAtJump,
     const labelList& ids,
     sparseEntries& e
 ) const
@@ -215,6 +216,55 @@ void Foam::cosseratSystem::addCellEntries
         }
     }
 
+    // What weightGradient() makes of it
+    for (label k = 0; cosserat_ && k < m; ++k)
+    {
+        const label f = faces[k];
+        if (compliance[f] > 0)
+        {
+            const scalar t[] = {n1_[f], -n0_[f]};
+            const scalar own =
+                compliance[f]*2*es_[celli]*(own_[f] == celli ? -1 : 1);
+            scalar s[2];
+            gradientVector(celli, f, s[0], s[1]);
+            for (label i = 0; i < 2; ++i)
+            {
+                for (label j = 0; j < 2; ++j)
+                {
+                    G[i][j][last] += s[i]*t[j]*own;
+                }
+            }
+        }
+    }
+    auto addProduct = [&]
+    (
+        const scalar factor, const FixedList<scalar, 16>& L,
+        const velocityForm* g
+    )
+    {
+        for (label j = 0; j < 4; ++j)
+        {
+            for (label l = 0; l < 4; ++l)
+            {
+                addTo(G[j/2][j % 2], factor*L[4*j + l], g[l]);
+            }
+        }
+    };
+    auto clear = [&]()
+    {
+        for (label j = 0; j < 4; ++j)
+        {
+            G[j/2][j % 2] = zero;
+        }
+    };
+    if (jumpInverse)
+    {
+        const velocityForm g[] = {G[0][0], G[0][1], G[1][0], G[1][1]};
+        clear();
+        addProduct(1, *jumpInverse, g);
+    }
+    const velocityForm before[] = {G[0][0], G[0][1], G[1][0], G[1][1]};
+
     auto rotation = [&]()
     {
         velocityForm s(zero);
@@ -269,6 +319,14 @@ void Foam::cosseratSystem::addCellEntries
         }
     }
 
+    if (wallAtJump)
+    {
+        const velocityForm g[] = {G[0][0], G[0][1], G[1][0], G[1][1]};
+        clear();
+        addProduct(1, wallAtJump->after, g);
+        addProduct(-1, wallAtJump->before, before);
+    }
+
     // u_n,t on a face, as tangentialGradientOfNormal()
     auto addGradientOfNormal = [&]
     (
@@ -281,41 +339,6 @@ void Foam::cosseratSystem::addCellEntries
         addTo(sum, -factor*n0*n0, G[1][0]);
         addTo(sum, -factor*n0*n1, G[1][1]);
     };
-
-    // What weightGradient() makes of it
-    for (label k = 0; cosserat_ && k < m; ++k)
-    {
-        const label f = faces[k];
-        if (compliance[f] > 0)
-        {
-            const scalar t[] = {n1_[f], -n0_[f]};
-            const scalar own =
-                compliance[f]*2*es_[celli]*(own_[f] == celli ? -1 : 1);
-            scalar s[2];
-            gradientVector(celli, f, s[0], s[1]);
-            for (label i = 0; i < 2; ++i)
-            {
-                for (label j = 0; j < 2; ++j)
-                {
-                    G[i][j][last] += s[i]*t[j]*own;
-                }
-            }
-        }
-    }
-    if (jumpInverse)
-    {
-        const FixedList<scalar, 16>& L = *jumpInverse;
-        const velocityForm g[] = {G[0][0], G[0][1], G[1][0], G[1][1]};
-        for (label j = 0; j < 4; ++j)
-        {
-            velocityForm& sum = G[j/2][j % 2];
-            sum = zero;
-            for (label l = 0; l < 4; ++l)
-            {
-                addTo(sum, L[4*j + l], g[l]);
-            }
-        }
-    }
 
     const velocityForm s(rotation());
 
@@ -457,13 +480,18 @@ void Foam::cosseratSystem::viscousEntries(sparseEntries& e) const
     {
         jumpInverse[jumpCells_[i]] = &jumpInverse_[i];
     }
+    List<const jumpWall*> wallAtJump(nCells_, nullptr);
+    for (const jumpWall& wall : jumpWalls_)
+    {
+        wallAtJump[wall.celli] = &wall;
+    }
 
     for (label celli = 0; celli < nCells_; ++celli)
     {
         addCellEntries
         (
             celli, faces[celli], tangentialWeight, compliance,
-            jumpInverse[celli], ids, e
+            jumpInverse[celli], wallAtJump[celli], ids, e
         );
     }
 }

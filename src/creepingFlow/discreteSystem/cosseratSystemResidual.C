@@ -302,15 +302,29 @@ void Foam::cosseratSystem::weightGradient() const
     // Then that
     forAll(jumpCells_, i)
     {
-        const label c = jumpCells_[i];
-        const FixedList<scalar, 16>& L = jumpInverse_[i];
-        const scalar g[] = {G00_[c], G01_[c], G10_[c], G11_[c]};
-        scalar* G[] = {&G00_[c], &G01_[c], &G10_[c], &G11_[c]};
+        transformGradient(jumpCells_[i], jumpInverse_[i]);
+    }
+}
+
+
+void Foam::cosseratSystem::weightWallGradient
+(
+    const List<FixedList<scalar, 4>>& before
+) const
+{
+    forAll(jumpWalls_, i)
+    {
+        const jumpWall& wall = jumpWalls_[i];
+        const FixedList<scalar, 4>& g = before[i];
+        transformGradient(wall.celli, wall.after);
         for (label j = 0; j < 4; ++j)
         {
-            *G[j] =
-                L[4*j]*g[0] + L[4*j + 1]*g[1]
-              + L[4*j + 2]*g[2] + L[4*j + 3]*g[3];
+            scalar sum = 0;
+            for (label l = 0; l < 4; ++l)
+            {
+                sum += wall.before[4*j + l]*g[l];
+            }
+            gradient(j)[wall.celli] -= sum;
         }
     }
 }
@@ -904,10 +918,23 @@ void Foam::cosseratSystem::calcTerms
     {
         calcRotationGradient();
     }
-    correctWalls();
-    if (anyJump_)
+    if (!anyJump_)
+    {
+        correctWalls();
+    }
+    else
     {
         weightGradient();
+        List<FixedList<scalar, 4>> before(jumpWalls_.size());
+        forAll(before, i)
+        {
+            for (label j = 0; j < 4; ++j)
+            {
+                before[i][j] = gradient(j)[jumpWalls_[i].celli];
+            }
+        }
+        correctWalls();
+        weightWallGradient(before);
     }
     calcForce(driven, moving);
     halo_.swap("tv", {&G00_, &G01_, &G10_, &G11_, &f0_, &f1_});

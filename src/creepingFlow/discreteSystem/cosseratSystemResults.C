@@ -101,21 +101,13 @@ Foam::scalar Foam::cosseratSystem::boundaryRhoGh(const label slot) const
 }
 
 
-Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
-(
-    const scalarField& x
-) const
+Foam::tmp<Foam::scalarField> Foam::cosseratSystem::dissipated() const
 {
-    scalarField r;
-    residual(x, r);
-
-    powerTerms sum{0, 0, 0, 0, 0};
+    tmp<scalarField> tpower(new scalarField(nCells_, Zero));
+    scalarField& power = tpower.ref();
 
     for (const labelPair& range : twoSided_)
     {
-        // A coupled face is seen from both sides
-        const scalar share = range.first() < nInternal_ ? 1 : 0.5;
-
         for (label f = range.first(); f < range.second(); ++f)
         {
             const label P = own_[f], N = nei_[f];
@@ -123,11 +115,14 @@ Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
             difference(f, d0, d1);
             viscousForce(f, d0, d1, F0, F1);
 
-            sum.viscous += share*
-                (F0*(u0_[N] - u0_[P]) + F1*(u1_[N] - u1_[P]));
-            if (cosserat_)
+            // Of two layers each does what its compliance is of theirs
+            const scalar cP = lambda_[f]/a_[P], cN = (1 - lambda_[f])/a_[N];
+            const scalar work =
+                F0*(u0_[N] - u0_[P]) + F1*(u1_[N] - u1_[P]);
+            power[P] += work*cP/(cP + cN);
+            if (N < nCells_)
             {
-                sum.bending += share*faceCouple(f)*(omega_[N] - omega_[P]);
+                power[N] += work*cN/(cP + cN);
             }
         }
     }
@@ -137,29 +132,117 @@ Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
         const label P = own_[f], b = nei_[f];
         scalar F0, F1;
         wallForce(f, true, F0, F1);
-
-        sum.viscous += F0*(u0_[b] - u0_[P]) + F1*(u1_[b] - u1_[P]);
-        sum.walls += F0*u0_[b] + F1*u1_[b];
-
-        if (cosserat_)
-        {
-            const scalar couple = wallCouple(f, true);
-            sum.bending += couple*(omega_[b] - omega_[P]);
-            sum.walls += couple*omega_[b];
-        }
+        power[P] += F0*(u0_[b] - u0_[P]) + F1*(u1_[b] - u1_[P]);
     }
 
     if (corners_.active())
     {
-        corners_.addPower(u0_, u1_, sum.walls, sum.viscous);
+        corners_.addDissipated(u0_, u1_, power);
     }
 
     if (cosserat_)
     {
         for (label celli = 0; celli < nCells_; ++celli)
         {
-            sum.viscous += 4*V_[celli]*etaC_[celli]
+            power[celli] += 4*V_[celli]*etaC_[celli]
                *relativeRotation(celli)*omega_[celli];
+        }
+    }
+
+    return tpower;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::cosseratSystem::bent() const
+{
+    tmp<scalarField> tpower(new scalarField(nCells_, Zero));
+    scalarField& power = tpower.ref();
+
+    if (!cosserat_)
+    {
+        return tpower;
+    }
+
+    for (const labelPair& range : twoSided_)
+    {
+        for (label f = range.first(); f < range.second(); ++f)
+        {
+            if (Km_[f] > 0)
+            {
+                const label P = own_[f], N = nei_[f];
+                const scalar cP = lambda_[f]/M_[P], cN = (1 - lambda_[f])/M_[N];
+                const scalar work = faceCouple(f)*(omega_[N] - omega_[P]);
+                power[P] += work*cP/(cP + cN);
+                if (N < nCells_)
+                {
+                    power[N] += work*cN/(cP + cN);
+                }
+            }
+        }
+    }
+
+    for (const label f : oneSided_)
+    {
+        power[own_[f]] +=
+            wallCouple(f, true)*(omega_[nei_[f]] - omega_[own_[f]]);
+    }
+
+    return tpower;
+}
+
+
+Foam::scalar Foam::cosseratSystem::boundaryPower() const
+{
+    scalar power = 0;
+
+    for (const label f : oneSided_)
+    {
+        const label b = nei_[f];
+        scalar F0, F1;
+        wallForce(f, true, F0, F1);
+        power += F0*u0_[b] + F1*u1_[b];
+
+        if (phi_[f] != 0)
+        {
+            const label slot = f - nInternal_ + nCells_;
+            power -= phi_[f]*(boundaryPressure(slot) + boundaryRhoGh(slot));
+        }
+        if (cosserat_)
+        {
+            power += wallCouple(f, true)*omega_[b];
+        }
+    }
+
+    if (corners_.active())
+    {
+        corners_.addPower(u0_, u1_, power);
+    }
+
+    return power;
+}
+
+
+Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
+(
+    const scalarField& x
+) const
+{
+    scalarField r;
+    residual(x, r);
+
+    powerTerms sum
+    {
+        0, boundaryPower(), Foam::sum(dissipated()()), Foam::sum(bent()()), 0
+    };
+
+    // Of the pressure at openings
+    for (const label f : oneSided_)
+    {
+        if (phi_[f] != 0)
+        {
+            const label slot = f - nInternal_ + nCells_;
+            sum.pressure +=
+                phi_[f]*(boundaryPressure(slot) + boundaryRhoGh(slot));
         }
     }
 

@@ -60,7 +60,7 @@ Foam::functionObjects::powerBalance::powerBalance
             const char* column :
             {
                 "gravity", "walls", "pressure", "viscous", "bending",
-                "imbalance/supply", "dissipation by cell gradients"
+                "imbalance/supply", "dissipation in cells"
             }
         )
         {

@@ -312,8 +312,7 @@ void Foam::cornerModel::addPower
 (
     const scalarField& u0,
     const scalarField& u1,
-    scalar& walls,
-    scalar& dissipated
+    scalar& walls
 ) const
 {
     scalarList u;
@@ -327,9 +326,33 @@ void Foam::cornerModel::addPower
             if (isMine(cells[k]))
             {
                 const vector2D F(force(i, u, 2*k), force(i, u, 2*k + 1));
-                const label at = 2*(starts_[i] + k);
                 walls -= F & wallVelocity(i, k);
-                dissipated += F & vector2D(u[at], u[at + 1]);
+            }
+        }
+    }
+}
+
+
+void Foam::cornerModel::addDissipated
+(
+    const scalarField& u0,
+    const scalarField& u1,
+    scalarField& power
+) const
+{
+    scalarList u;
+    gather(u0, u1, true, u);
+
+    forAll(corners_, i)
+    {
+        const List<wallCorner::cell>& cells = corners_[i].cells();
+        forAll(cells, k)
+        {
+            if (isMine(cells[k]))
+            {
+                const label at = 2*(starts_[i] + k);
+                power[cells[k].local] +=
+                    force(i, u, 2*k)*u[at] + force(i, u, 2*k + 1)*u[at + 1];
             }
         }
     }
