@@ -38,7 +38,8 @@ def materials(case, **which):
     path = case.path/"constant/materialProperties"
     path.write_text(path.read_text().split("materials")[0] + "materials\n{\n"
                     + "\n".join(f"{name} {law(*values)}"
-                                for name, values in which.items()) + "\n}\n")
+                                for name, values in which.items())
+                    + "\n}\nviscosityAverage arithmetic;\n")
 
 
 @pytest.fixture(name="scene")

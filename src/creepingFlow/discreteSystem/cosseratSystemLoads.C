@@ -41,24 +41,18 @@ void Foam::cosseratSystem::wallLoads
 
     // What weightForce() moves from a cell to the next one is no force between
     // cell and wall
-    auto reconstructed = [&](const label c, const scalar s0, const scalar s1)
-    {
-        return frame_.inSpace
-        (
-            T00_[c]*s0 + T01_[c]*s1,
-            T10_[c]*s0 + T11_[c]*s1
-        );
-    };
     vectorField moved(nCells_, Zero);
     for (const label f : jump_)
     {
         const scalar s = (wSoft_[f] - w_[f])*S_[f]*ff_[f]/dc_[f];
-        const label P = own_[f], N = nei_[f];
-
-        moved[P] -= reconstructed(P, s*n0_[f], s*n1_[f]);
-        if (N < nCells_)
+        for (const label celli : {own_[f], nei_[f]})
         {
-            moved[N] += reconstructed(N, s*n0_[f], s*n1_[f]);
+            if (celli < nCells_)
+            {
+                scalar c0, c1;
+                movedForce(celli, f, s, c0, c1);
+                moved[celli] += frame_.inSpace(c0, c1);
+            }
         }
     }
 

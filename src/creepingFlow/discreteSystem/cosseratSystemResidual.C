@@ -290,10 +290,14 @@ void Foam::cosseratSystem::weightGradient() const
             {
                 scalar s0, s1;
                 gradientVector(celli, f, s0, s1);
+                const scalar vc =
+                    cosserat_
+                  ? vt + jumpC_[i]*restTraction(celli, f)*omega_[celli]
+                  : vt;
                 addToGradient
                 (
                     celli, s0, s1,
-                    vn*n0_[f] + vt*n1_[f], vn*n1_[f] - vt*n0_[f]
+                    vn*n0_[f] + vc*n1_[f], vn*n1_[f] - vc*n0_[f]
                 );
             }
         }
@@ -443,14 +447,16 @@ void Foam::cosseratSystem::weightForce() const
         const label P = own_[f], N = nei_[f];
         const scalar change = (wSoft_[f] - w_[f])*S_[f]*ff_[f]/dc_[f];
 
-        const scalar c0 = change*n0_[f], c1 = change*n1_[f];
 
-        f0_[P] -= T00_[P]*c0 + T01_[P]*c1;
-        f1_[P] -= T10_[P]*c0 + T11_[P]*c1;
-        if (N < nCells_)
+        for (const label celli : {P, N})
         {
-            f0_[N] += T00_[N]*c0 + T01_[N]*c1;
-            f1_[N] += T10_[N]*c0 + T11_[N]*c1;
+            if (celli < nCells_)
+            {
+                scalar c0, c1;
+                movedForce(celli, f, change, c0, c1);
+                f0_[celli] += c0;
+                f1_[celli] += c1;
+            }
         }
     }
 }
