@@ -529,14 +529,12 @@ void Foam::cosseratSystem::setJumpCells()
             scalar s[2];
             gradientVector(celli, f, s[0], s[1]);
 
-            // G_ij += s_i v_j, v = n vn + t vt: u_n,t = t_k G_kl n_l and s of
-            // two layers in vt, and in both the way k to the normal
+            // G_ij += s_i v_j, v = n vn + t vt: u_n,t = t_k G_kl n_l of two
+            // layers in vt, and in both the way k to the normal
             const scalar q = jumpC_[i]*(b_[N] - b_[P]);
             const scalar kn = (w_[f] - wStiff_[f])/dc_[f];
             const scalar kt = (w_[f] - jumpW_[i])/dc_[f];
             const scalar k[] = {k0_[f], k1_[f]};
-            const scalar half = -0.5*jumpC_[i]*restTraction(celli, f);
-            const scalar curl[] = {0, half, -half, 0};
             for (label ij = 0; ij < 4; ++ij)
             {
                 const label m = ij % 2;
@@ -545,7 +543,7 @@ void Foam::cosseratSystem::setJumpCells()
                     const label l = kl % 2;
                     A(ij, kl) -= s[ij/2]*
                     (
-                        t[m]*(q*t[kl/2]*n[l] + curl[kl])
+                        t[m]*q*t[kl/2]*n[l]
                       + k[kl/2]*(kn*n[m]*n[l] + kt*t[m]*t[l])
                     );
                 }

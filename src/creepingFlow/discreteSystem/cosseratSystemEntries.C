@@ -224,11 +224,7 @@ void Foam::cosseratSystem::addCellEntries
         {
             const scalar t[] = {n1_[f], -n0_[f]};
             const scalar own =
-                compliance[f]
-               *(
-                    2*es_[celli]*(own_[f] == celli ? -1 : 1)
-                  + restTraction(celli, f)
-                );
+                compliance[f]*2*es_[celli]*(own_[f] == celli ? -1 : 1);
             scalar s[2];
             gradientVector(celli, f, s[0], s[1]);
             for (label i = 0; i < 2; ++i)

@@ -290,14 +290,10 @@ void Foam::cosseratSystem::weightGradient() const
             {
                 scalar s0, s1;
                 gradientVector(celli, f, s0, s1);
-                const scalar vc =
-                    cosserat_
-                  ? vt + jumpC_[i]*restTraction(celli, f)*omega_[celli]
-                  : vt;
                 addToGradient
                 (
                     celli, s0, s1,
-                    vn*n0_[f] + vc*n1_[f], vn*n1_[f] - vc*n0_[f]
+                    vn*n0_[f] + vt*n1_[f], vn*n1_[f] - vt*n0_[f]
                 );
             }
         }
