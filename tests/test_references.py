@@ -104,9 +104,9 @@ class Scene:
 
 
 #: Not to be content with: the silo, whose fill ends in a corner at the start;
-#: sinkingInclusion, template, schemes, dune (stiff beside soft in few cells,
-#: half of it gone on twice the cells). In template and schemes the air
-#: decides, and 1 % is that of the air.
+#: sinkingInclusion, template, schemes (stiff beside soft in few cells, half of
+#: it gone on twice the cells). In template and schemes the air decides, and
+#: 1 % is that of the air.
 SCENES = {
     "annularCouette": Scene(walls, -1.21e-3, {"R": 0.99}),
     "eccentricCylinders": Scene(walls, -4.17e-3, {"R": 0.99}),
@@ -187,10 +187,9 @@ def test_other_internal_length(difference, name):
     assert abs(found) < 0.2*abs(change)
 
 
-@pytest.mark.parametrize("eta, fails", [(1, False), (1.01, True)])
+@pytest.mark.parametrize("eta, fails", [(1, False), (0.99, True)])
 def test_fall_of_the_inclusion(tutorial, eta, fails):
-    """The tutorial to its end: measured 8.2 % less than the elements have, for
-    its stiff disc is too large by part of the cells that its edge cuts; one
+    """The tutorial to its end: measured 3.2 % more than the elements have; one
     per cent of the matrix' viscosity shows."""
     case = tutorial("sinkingInclusion")
     path = case.path/FILES["materials"]
@@ -201,7 +200,7 @@ def test_fall_of_the_inclusion(tutorial, eta, fails):
     fall = 0.65 - case.centroid(1)[1]
     error = fall/REFERENCES["sinkingInclusion, fall"].value - 1
     print(error)
-    assert (abs(error) > 8.5e-2) == fails
+    assert (abs(error) > 3.5e-2) == fails
 
 
 @pytest.mark.parametrize("name, scene", [
