@@ -218,6 +218,18 @@ Foam::scalar Foam::cosseratSystem::boundaryPower() const
         corners_.addPower(u0_, u1_, power);
     }
 
+    return power + jumpPower();
+}
+
+
+Foam::scalar Foam::cosseratSystem::jumpPower() const
+{
+    // Seen from both sides
+    scalar power = 0;
+    forAll(boundary_.jump(), i)
+    {
+        power += 0.5*phi_[nInternal_ + i]*boundary_.jump()[i];
+    }
     return power;
 }
 
@@ -235,7 +247,8 @@ Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
         0, boundaryPower(), Foam::sum(dissipated()()), Foam::sum(bent()()), 0
     };
 
-    // Of the pressure at openings
+    // Of the pressure at openings, and of its jumps
+    sum.pressure -= jumpPower();
     for (const label f : oneSided_)
     {
         if (phi_[f] != 0)
