@@ -86,3 +86,19 @@ def test_orders_of_coupling(tmp_path):
     assert abs(order["extrapolated"] - 2) < 0.3
     assert errors["extrapolated", 10] < 0.25*errors["frozen", 10]
     assert errors["midpoint", 10] < 0.4*errors["extrapolated", 10]
+
+
+@pytest.mark.parametrize("average", ["layered", "arithmetic", "harmonic"])
+def test_etaC_without_internal_length_has_no_effect(box, average):
+    """R = 0 is the classical fluid, in cells of two materials too."""
+    found = []
+    for target, etaC in (("without", 0), ("with", 2)):
+        case = box(target, n=8, g=(0, -1, 0), average=average,
+                   fractions=lambda x, y: np.clip(1.5 - 8*np.abs(x - 0.03), 0, 1)
+                   * (y < 0.2),
+                   materials={"body": {"eta": 100, "etaC": 50*etaC, "R": 0,
+                                       "rho": 1},
+                              "fluid": {"eta": 1, "etaC": etaC, "R": 0}})
+        case.run("cosseratPicFoam")
+        found.append(case.field("U"))
+    assert np.allclose(*found, atol=1e-7*np.abs(found[0]).max())

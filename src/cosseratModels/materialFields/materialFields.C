@@ -153,6 +153,10 @@ void Foam::materialFields::average
                 break;
             }
             case averageType::LAYERED:
+            {
+                // layerMean()
+                break;
+            }
             case averageType::HARMONIC:
             {
                 // A material without the property leaves none to the cell
@@ -162,12 +166,13 @@ void Foam::materialFields::average
         }
     }
 
-    if (rule == averageType::HARMONIC || rule == averageType::LAYERED)
+    if (rule == averageType::HARMONIC)
     {
         const scalar largest = max(values);
         forAll(q, celli)
         {
-            q[celli] = largest*q[celli] > 1/SMALL ? 0 : 1/q[celli];
+            q[celli] =
+                largest > 0 && largest*q[celli] <= 1/SMALL ? 1/q[celli] : 0;
         }
     }
 
@@ -175,31 +180,30 @@ void Foam::materialFields::average
 }
 
 
-void Foam::materialFields::averageLayers
+Foam::tmp<Foam::scalarField> Foam::materialFields::layerMean
 (
-    const scalarList& eta,
-    const scalarList& etaC
-)
+    const scalarList& values
+) const
 {
-    scalarField& q = eta_.primitiveFieldRef();
-    scalarField& c = etaC_.primitiveFieldRef();
-    q = 0;
-    c = 0;
-    scalarField compliance(q.size(), Zero);
+    tmp<scalarField> tmean(new scalarField(mesh_.nCells(), Zero));
+    scalarField& mean = tmean.ref();
+    scalarField compliance(mesh_.nCells(), Zero);
 
     forAll(alphas_, m)
     {
-        const scalarField& alpha = alphas_[m].primitiveField();
-        const scalar a = eta[m] + etaC[m];
-        compliance += alpha/a;
-        q += alpha*eta[m]/a;
-        c += alpha*etaC[m]/a;
+        const viscosityLaw& law = materials_[m].law();
+        // Without bending viscosity etaC has no effect
+        const scalar etaC = law.M().value() > 0 ? law.etaC().value() : 0;
+        const scalarField share
+        (
+            alphas_[m].primitiveField()/(law.eta().value() + etaC)
+        );
+        compliance += share;
+        mean += share*values[m];
     }
-    q /= compliance;
-    c /= compliance;
+    mean /= compliance;
 
-    eta_.correctBoundaryConditions();
-    etaC_.correctBoundaryConditions();
+    return tmean;
 }
 
 
@@ -369,22 +373,12 @@ Foam::wordList Foam::materialFields::names() const
 
 Foam::tmp<Foam::scalarField> Foam::materialFields::flowingDensity() const
 {
-    const label n = mesh_.nCells();
-    tmp<scalarField> tflowing(new scalarField(n, Zero));
-    scalarField& flowing = tflowing.ref();
-    scalarField compliance(n, Zero);
-
-    forAll(alphas_, m)
+    scalarList rho(materials_.size());
+    forAll(materials_, m)
     {
-        const viscosityLaw& law = materials_[m].law();
-        const scalar a = law.eta().value() + law.etaC().value();
-        const scalarField share(alphas_[m].primitiveField()/a);
-        compliance += share;
-        flowing += share*materials_[m].rho().value();
+        rho[m] = materials_[m].rho().value();
     }
-    flowing /= compliance;
-
-    return tflowing;
+    return layerMean(rho);
 }
 
 
@@ -417,15 +411,19 @@ void Foam::materialFields::correct()
     }
 
     average(rho_, rho, densityAverage_);
-    average(M_, M, viscosityAverage_);
     if (viscosityAverage_ == averageType::LAYERED)
     {
-        averageLayers(eta, etaC);
+        eta_.primitiveFieldRef() = layerMean(eta);
+        etaC_.primitiveFieldRef() = layerMean(etaC);
+        eta_.correctBoundaryConditions();
+        etaC_.correctBoundaryConditions();
+        average(M_, M, averageType::HARMONIC);
     }
     else
     {
         average(eta_, eta, viscosityAverage_);
         average(etaC_, etaC, viscosityAverage_);
+        average(M_, M, viscosityAverage_);
     }
     // Volume changes of the materials of a cell add up
     average(invB_, invB, averageType::ARITHMETIC);
