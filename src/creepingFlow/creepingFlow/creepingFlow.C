@@ -647,20 +647,20 @@ void Foam::creepingFlow::solveOnce()
     report();
     if (nSolves_ == 1)
     {
-        checkPressureWork();
+        checkPressureWork(power());
     }
 }
 
 
 void Foam::creepingFlow::summary() const
 {
-    checkPressureWork();
+    const cosseratSystem::powerTerms last(power());
+    checkPressureWork(last);
 
     Info<< nl << "Flow: " << nSolves_ << " solves, " << nIterations_
         << " iterations, at most " << maxIterations_ << " in one, "
         << nUnconverged_ << " not converged" << endl;
 
-    const cosseratSystem::powerTerms last(power());
     Info<< "Power at the end: supplied " << last.gravity + last.walls
         << " W, dissipated " << last.dissipated() << " W";
     if (!last.atRest() && !materials_.parts().has(sceneParts::COMPRESSIBILITY))

@@ -84,14 +84,16 @@ void Foam::creepingFlow::refuseNotFinite() const
 }
 
 
-void Foam::creepingFlow::checkPressureWork() const
+void Foam::creepingFlow::checkPressureWork
+(
+    const cosseratSystem::powerTerms& terms
+) const
 {
     if (goOn_ || materials_.parts().has(sceneParts::COMPRESSIBILITY))
     {
         return;
     }
 
-    const cosseratSystem::powerTerms terms(power());
     if (!terms.atRest() && terms.pressureError() > 1)
     {
         FatalErrorInFunction

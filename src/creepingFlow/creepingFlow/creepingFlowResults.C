@@ -134,4 +134,32 @@ Foam::tmp<Foam::volScalarField> Foam::creepingFlow::dissipation() const
 }
 
 
+Foam::tmp<Foam::volScalarField> Foam::creepingFlow::gradientDissipation() const
+{
+    const tmp<volTensorField> tgrad(gradU());
+    const volSymmTensorField D(symm(tgrad()));
+    const volScalarField s(omega_ - (frame_.e() & (*skew(tgrad()))));
+
+    tmp<volScalarField> tdissipation
+    (
+        volScalarField::New
+        (
+            "gradientDissipation",
+            2*materials_.eta()*(D && D)
+          + 4*materials_.etaC()*sqr(s)
+          + materials_.M()*magSqr(fvc::grad(omega_, "linear"))
+        )
+    );
+
+    if (materials_.parts().has(sceneParts::COMPRESSIBILITY))
+    {
+        // (B - eta) tr(D)^2, with B tr(D) = -p
+        tdissipation.ref() -=
+            (p_ + materials_.eta()*tr(D))*tr(D);
+    }
+
+    return tdissipation;
+}
+
+
 // ************************************************************************* //

@@ -60,7 +60,7 @@ Foam::functionObjects::powerBalance::powerBalance
             const char* column :
             {
                 "gravity", "walls", "pressure", "viscous", "bending",
-                "imbalance/supply", "dissipation in cells"
+                "imbalance/supply", "dissipation by cell gradients"
             }
         )
         {
@@ -85,7 +85,7 @@ bool Foam::functionObjects::powerBalance::execute()
 
     const cosseratSystem::powerTerms power(flow.power());
     const scalar dissipation =
-        gSum(flow.dissipation()().primitiveField()*mesh_.V());
+        gSum(flow.gradientDissipation()().primitiveField()*mesh_.V());
 
     if (Pstream::master())
     {
