@@ -44,14 +44,14 @@ void Foam::cosseratSystem::wallLoads
     vectorField moved(nCells_, Zero);
     for (const label f : jump_)
     {
-        const scalar s = (wSoft_[f] - w_[f])*S_[f]*ff_[f]/dc_[f];
+        const scalar s = (wSoft_[f] - w_[f])*ff_[f]/dc_[f];
         for (const label celli : {own_[f], nei_[f]})
         {
             if (celli < nCells_)
             {
-                scalar c0, c1;
-                movedForce(celli, f, s, c0, c1);
-                moved[celli] += frame_.inSpace(c0, c1);
+                scalar s0, s1;
+                gradientVector(celli, f, s0, s1);
+                moved[celli] -= s*frame_.inSpace(s0, s1);
             }
         }
     }

@@ -441,17 +441,16 @@ void Foam::cosseratSystem::weightForce() const
     {
         const label f = jump_[i];
         const label P = own_[f], N = nei_[f];
-        const scalar change = (wSoft_[f] - w_[f])*S_[f]*ff_[f]/dc_[f];
-
+        const scalar change = (wSoft_[f] - w_[f])*ff_[f]/dc_[f];
 
         for (const label celli : {P, N})
         {
             if (celli < nCells_)
             {
-                scalar c0, c1;
-                movedForce(celli, f, change, c0, c1);
-                f0_[celli] += c0;
-                f1_[celli] += c1;
+                scalar s0, s1;
+                gradientVector(celli, f, s0, s1);
+                f0_[celli] -= change*s0;
+                f1_[celli] -= change*s1;
             }
         }
     }
@@ -522,20 +521,18 @@ void Foam::cosseratSystem::addGradientAdjoint
 {
     const label n = nCells_;
 
-    // Back through the systems of cells beside jumps
-    if (anyJump_)
+    // Back through the systems of cells beside jumps, but for what walls and
+    // jumps of one cell know of each other
+    forAll(jumpCells_, i)
     {
-        forAll(jumpCells_, i)
+        const label c = jumpCells_[i];
+        const FixedList<scalar, 16>& L = jumpInverse_[i];
+        scalar* B[] = {&B00[c], &B01[c], &B10[c], &B11[c]};
+        const scalar b[] = {*B[0], *B[1], *B[2], *B[3]};
+        for (label j = 0; j < 4; ++j)
         {
-            const label c = jumpCells_[i];
-            const FixedList<scalar, 16>& L = jumpInverse_[i];
-            scalar* B[] = {&B00[c], &B01[c], &B10[c], &B11[c]};
-            const scalar b[] = {*B[0], *B[1], *B[2], *B[3]};
-            for (label j = 0; j < 4; ++j)
-            {
-                *B[j] =
-                    L[j]*b[0] + L[4 + j]*b[1] + L[8 + j]*b[2] + L[12 + j]*b[3];
-            }
+            *B[j] =
+                L[j]*b[0] + L[4 + j]*b[1] + L[8 + j]*b[2] + L[12 + j]*b[3];
         }
     }
 
@@ -578,7 +575,7 @@ void Foam::cosseratSystem::addGradientAdjoint
         }
     }
 
-    // Weights of jumps instead of linear ones, and microrotations
+    // Weights of jumps instead of linear ones; not on microrotations
     forAll(jump_, i)
     {
         const label f = jump_[i];
@@ -920,24 +917,17 @@ void Foam::cosseratSystem::calcTerms
     {
         calcRotationGradient();
     }
-    if (!anyJump_)
+    weightGradient();
+    List<FixedList<scalar, 4>> before(jumpWalls_.size());
+    forAll(before, i)
     {
-        correctWalls();
-    }
-    else
-    {
-        weightGradient();
-        List<FixedList<scalar, 4>> before(jumpWalls_.size());
-        forAll(before, i)
+        for (label j = 0; j < 4; ++j)
         {
-            for (label j = 0; j < 4; ++j)
-            {
-                before[i][j] = gradient(j)[jumpWalls_[i].celli];
-            }
+            before[i][j] = gradient(j)[jumpWalls_[i].celli];
         }
-        correctWalls();
-        weightWallGradient(before);
     }
+    correctWalls();
+    weightWallGradient(before);
     calcForce(driven, moving);
     halo_.swap("tv", {&G00_, &G01_, &G10_, &G11_, &f0_, &f1_});
 }

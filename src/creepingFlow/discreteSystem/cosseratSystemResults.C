@@ -191,7 +191,7 @@ Foam::tmp<Foam::scalarField> Foam::cosseratSystem::bent() const
 }
 
 
-Foam::scalar Foam::cosseratSystem::boundaryPower() const
+Foam::scalar Foam::cosseratSystem::wallPower() const
 {
     scalar power = 0;
 
@@ -202,11 +202,6 @@ Foam::scalar Foam::cosseratSystem::boundaryPower() const
         wallForce(f, true, F0, F1);
         power += F0*u0_[b] + F1*u1_[b];
 
-        if (phi_[f] != 0)
-        {
-            const label slot = f - nInternal_ + nCells_;
-            power -= phi_[f]*(boundaryPressure(slot) + boundaryRhoGh(slot));
-        }
         if (cosserat_)
         {
             power += wallCouple(f, true)*omega_[b];
@@ -218,18 +213,28 @@ Foam::scalar Foam::cosseratSystem::boundaryPower() const
         corners_.addPower(u0_, u1_, power);
     }
 
-    return power + jumpPower();
+    return power;
 }
 
 
-Foam::scalar Foam::cosseratSystem::jumpPower() const
+Foam::scalar Foam::cosseratSystem::openingPower() const
 {
-    // Seen from both sides
     scalar power = 0;
+
+    for (const label f : oneSided_)
+    {
+        if (phi_[f] != 0)
+        {
+            const label slot = f - nInternal_ + nCells_;
+            power -= phi_[f]*(boundaryPressure(slot) + boundaryRhoGh(slot));
+        }
+    }
     forAll(boundary_.jump(), i)
     {
+        // Seen from both sides
         power += 0.5*phi_[nInternal_ + i]*boundary_.jump()[i];
     }
+
     return power;
 }
 
@@ -242,22 +247,12 @@ Foam::cosseratSystem::powerTerms Foam::cosseratSystem::power
     scalarField r;
     residual(x, r);
 
+    const scalar openings = openingPower();
     powerTerms sum
     {
-        0, boundaryPower(), Foam::sum(dissipated()()), Foam::sum(bent()()), 0
+        0, wallPower() + openings, Foam::sum(dissipated()()),
+        Foam::sum(bent()()), -openings
     };
-
-    // Of the pressure at openings, and of its jumps
-    sum.pressure -= jumpPower();
-    for (const label f : oneSided_)
-    {
-        if (phi_[f] != 0)
-        {
-            const label slot = f - nInternal_ + nCells_;
-            sum.pressure +=
-                phi_[f]*(boundaryPressure(slot) + boundaryRhoGh(slot));
-        }
-    }
 
     // What the force of the residual does beyond gravity (with its change by
     // the stabilisation of free surfaces) and body force is the work of the

@@ -22,28 +22,61 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "patchFieldTypes.H"
+#include "DynamicList.H"
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
 typedef Foam::patchFieldTypes types;
 
-static const Foam::List<types::row> rows
+// Rows as written; those of "any" are of each field
+static const Foam::List<types::row> written
 ({
-    {"U", "fixedValue", types::VALUE, "a list or a uniform value"},
-    {"U", "uniformFixedValue", types::VALUE, "a function of time"},
+    {"any", "fixedValue", types::VALUE, "a list or a uniform value"},
+    {"any", "uniformFixedValue", types::VALUE, "a function of time"},
     {
-        "U", "exprFixedValue", types::VALUE,
+        "any", "exprFixedValue", types::VALUE,
         "an expression of place, time and fields of the last solve"
     },
     {
-        "U", "codedFixedValue", types::VALUE,
+        "any", "codedFixedValue", types::VALUE,
         "code, at the fields of the last solve"
     },
-    {"U", "fixedProfile", types::VALUE, "a function of a coordinate"},
+    {"any", "fixedProfile", types::VALUE, "a function of a coordinate"},
     {
-        "U", "timeVaryingMappedFixedValue", types::VALUE,
+        "any", "timeVaryingMappedFixedValue", types::VALUE,
         "tables in space and time"
     },
+    {"any", "symmetry", types::MIRROR, "on mesh patches of this type"},
+    {"any", "symmetryPlane", types::MIRROR, "on mesh patches of this type"},
+    {"any", "cyclic", types::COUPLED, "on mesh patches of this type"},
+    {"any", "processor", types::COUPLED, "on mesh patches of this type"},
+    {"any", "processorCyclic", types::COUPLED, "on mesh patches of this type"},
+    {"any", "empty", types::EMPTY, "on mesh patches of this type"},
+    {"any", "fixedMean", types::REFUSED, "its value follows the flow"},
+    {
+        "any", "freestream", types::REFUSED,
+        "mixed: value or gradient by the direction of the flow"
+    },
+    {
+        "any", "inletOutlet", types::REFUSED,
+        "mixed: value or gradient by the direction of the flow"
+    },
+    {"any", "mappedField", types::REFUSED, "it samples the flow elsewhere"},
+    {"any", "mapped", types::REFUSED, "it samples the flow elsewhere"},
+    {
+        "any", "outletInlet", types::REFUSED,
+        "mixed: value or gradient by the direction of the flow"
+    },
+    {
+        "any", "outletMappedUniformInlet", types::REFUSED,
+        "it samples the flow elsewhere"
+    },
+    {
+        "any", "scaledFixedValue", types::REFUSED,
+        "what it scales is not known here"
+    },
+    {"any", "turbulentInlet", types::REFUSED, "its value is random"},
+
     {"U", "noSlip", types::VALUE, "zero"},
     {"U", "surfaceNormalFixedValue", types::VALUE, "along the normal"},
     {
@@ -72,18 +105,11 @@ static const Foam::List<types::row> rows
     {"U", "slip", types::TRACTION, "traction zero"},
     {"U", "tangentialTraction", types::TRACTION, "of this project"},
     {"U", "zeroGradient", types::OPEN, "where p_rgh is given"},
-    {"U", "symmetry", types::MIRROR, "on mesh patches of this type"},
-    {"U", "symmetryPlane", types::MIRROR, "on mesh patches of this type"},
-    {"U", "cyclic", types::COUPLED, "on mesh patches of this type"},
-    {"U", "processor", types::COUPLED, "on mesh patches of this type"},
-    {"U", "processorCyclic", types::COUPLED, "on mesh patches of this type"},
-    {"U", "empty", types::EMPTY, "on mesh patches of this type"},
     {"U", "activeBaffleVelocity", types::REFUSED, "its value follows the flow"},
     {
         "U", "activePressureForceBaffleVelocity", types::REFUSED,
         "its value follows the flow"
     },
-    {"U", "fixedMean", types::REFUSED, "its value follows the flow"},
     {
         "U", "flowRateOutletVelocity", types::REFUSED,
         "its value follows the flow"
@@ -92,16 +118,6 @@ static const Foam::List<types::row> rows
         "U", "fluxCorrectedVelocity", types::REFUSED,
         "its value follows the flow"
     },
-    {
-        "U", "freestream", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
-    {
-        "U", "inletOutlet", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
-    {"U", "mappedField", types::REFUSED, "it samples the flow elsewhere"},
-    {"U", "mapped", types::REFUSED, "it samples the flow elsewhere"},
     {"U", "mappedFlowRate", types::REFUSED, "it samples the flow elsewhere"},
     {
         "U", "mappedVelocityFlux", types::REFUSED,
@@ -110,14 +126,6 @@ static const Foam::List<types::row> rows
     {
         "U", "matchedFlowRateOutletVelocity", types::REFUSED,
         "its value follows the flow"
-    },
-    {
-        "U", "outletInlet", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
-    {
-        "U", "outletMappedUniformInlet", types::REFUSED,
-        "it samples the flow elsewhere"
     },
     {
         "U", "pressureDirectedInletVelocity", types::REFUSED,
@@ -143,30 +151,10 @@ static const Foam::List<types::row> rows
         "U", "pressurePIDControlInletVelocity", types::REFUSED,
         "its value follows the flow"
     },
-    {
-        "U", "scaledFixedValue", types::REFUSED,
-        "what it scales is not known here"
-    },
     {"U", "swirlFanVelocity", types::REFUSED, "its value follows the flow"},
     {"U", "turbulentDFSEMInlet", types::REFUSED, "its value is random"},
     {"U", "turbulentDigitalFilterInlet", types::REFUSED, "its value is random"},
-    {"U", "turbulentInlet", types::REFUSED, "its value is random"},
 
-    {"p_rgh", "fixedValue", types::VALUE, "a list or a uniform value"},
-    {"p_rgh", "uniformFixedValue", types::VALUE, "a function of time"},
-    {
-        "p_rgh", "exprFixedValue", types::VALUE,
-        "an expression of place, time and fields of the last solve"
-    },
-    {
-        "p_rgh", "codedFixedValue", types::VALUE,
-        "code, at the fields of the last solve"
-    },
-    {"p_rgh", "fixedProfile", types::VALUE, "a function of a coordinate"},
-    {
-        "p_rgh", "timeVaryingMappedFixedValue", types::VALUE,
-        "tables in space and time"
-    },
     {"p_rgh", "prghPressure", types::WEIGHT, "p given"},
     {
         "p_rgh", "prghTotalPressure", types::WEIGHT_TOTAL,
@@ -185,41 +173,10 @@ static const Foam::List<types::row> rows
     {"p_rgh", "fixedFluxExtrapolatedPressure", types::RESULT, "the same"},
     {"p_rgh", "fixedJump", types::JUMP, "on mesh patches of type cyclic"},
     {"p_rgh", "uniformJump", types::JUMP, "the same, a function of time"},
-    {"p_rgh", "symmetry", types::MIRROR, "on mesh patches of this type"},
-    {"p_rgh", "symmetryPlane", types::MIRROR, "on mesh patches of this type"},
-    {"p_rgh", "cyclic", types::COUPLED, "on mesh patches of this type"},
-    {"p_rgh", "processor", types::COUPLED, "on mesh patches of this type"},
-    {
-        "p_rgh", "processorCyclic", types::COUPLED,
-        "on mesh patches of this type"
-    },
-    {"p_rgh", "empty", types::EMPTY, "on mesh patches of this type"},
     {"p_rgh", "fan", types::REFUSED, "its jump follows the flow"},
     {
         "p_rgh", "fanPressure", types::REFUSED,
         "its value follows the flow by a curve"
-    },
-    {"p_rgh", "fixedMean", types::REFUSED, "its value follows the flow"},
-    {
-        "p_rgh", "freestream", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
-    {
-        "p_rgh", "inletOutlet", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
-    {"p_rgh", "mappedField", types::REFUSED, "it samples the flow elsewhere"},
-    {
-        "p_rgh", "mapped", types::REFUSED,
-        "it samples the flow elsewhere"
-    },
-    {
-        "p_rgh", "outletInlet", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
-    {
-        "p_rgh", "outletMappedUniformInlet", types::REFUSED,
-        "it samples the flow elsewhere"
     },
     {
         "p_rgh", "phaseHydrostaticPressure", types::REFUSED,
@@ -230,69 +187,50 @@ static const Foam::List<types::row> rows
         "it belongs to solvers with a field ph_rgh"
     },
     {
-        "p_rgh", "scaledFixedValue", types::REFUSED,
-        "what it scales is not known here"
-    },
-    {"p_rgh", "turbulentInlet", types::REFUSED, "its value is random"},
-    {
         "p_rgh", "uniformDensityHydrostaticPressure", types::REFUSED,
         "it gives p: prghPressure does so here"
     },
 
-    {"omega", "fixedValue", types::VALUE, "a list or a uniform value"},
-    {"omega", "uniformFixedValue", types::VALUE, "a function of time"},
-    {
-        "omega", "exprFixedValue", types::VALUE,
-        "an expression of place, time and fields of the last solve"
-    },
-    {
-        "omega", "codedFixedValue", types::VALUE,
-        "code, at the fields of the last solve"
-    },
-    {"omega", "fixedProfile", types::VALUE, "a function of a coordinate"},
-    {
-        "omega", "timeVaryingMappedFixedValue", types::VALUE,
-        "tables in space and time"
-    },
-    {"omega", "zeroGradient", types::COUPLE, "couple traction zero"},
     {"omega", "coupleTraction", types::COUPLE, "of this project"},
-    {"omega", "symmetry", types::MIRROR, "on mesh patches of this type"},
-    {"omega", "symmetryPlane", types::MIRROR, "on mesh patches of this type"},
-    {"omega", "cyclic", types::COUPLED, "on mesh patches of this type"},
-    {"omega", "processor", types::COUPLED, "on mesh patches of this type"},
-    {
-        "omega", "processorCyclic", types::COUPLED,
-        "on mesh patches of this type"
-    },
-    {"omega", "empty", types::EMPTY, "on mesh patches of this type"},
-    {"omega", "fixedMean", types::REFUSED, "its value follows the flow"},
-    {
-        "omega", "freestream", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
-    {
-        "omega", "inletOutlet", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
-    {"omega", "mappedField", types::REFUSED, "it samples the flow elsewhere"},
-    {
-        "omega", "mapped", types::REFUSED,
-        "it samples the flow elsewhere"
-    },
-    {
-        "omega", "outletInlet", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
-    {
-        "omega", "outletMappedUniformInlet", types::REFUSED,
-        "it samples the flow elsewhere"
-    },
-    {
-        "omega", "scaledFixedValue", types::REFUSED,
-        "what it scales is not known here"
-    },
-    {"omega", "turbulentInlet", types::REFUSED, "its value is random"}
+    {"omega", "zeroGradient", types::COUPLE, "couple traction zero"}
 });
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- The rows of each field, first those that are taken
+    static List<types::row> allRows()
+    {
+        DynamicList<types::row> rows;
+
+        for (const char* field : {"U", "p_rgh", "omega"})
+        {
+            for (const bool refused : {false, true})
+            {
+                for (const types::row& r : written)
+                {
+                    const bool any = word(r.field) == "any";
+
+                    if
+                    (
+                        (any || word(r.field) == field)
+                     && (r.is == types::REFUSED) == refused
+                    )
+                    {
+                        rows.append({field, r.type, r.is, r.remark});
+                    }
+                }
+            }
+        }
+
+        return List<types::row>(rows);
+    }
+}
+
+
+static const Foam::List<types::row> rows(Foam::allRows());
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
