@@ -24,6 +24,7 @@ License
 #include "creepingFlow.H"
 #include "checkedEntry.H"
 #include "checkedText.H"
+#include "fvcGrad.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -474,7 +475,7 @@ void Foam::creepingFlow::report()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::creepingFlow::creepingFlow(const materialFields& materials)
+Foam::creepingFlow::creepingFlow(materialFields& materials)
 :
     creepingFlow
     (
@@ -488,7 +489,7 @@ Foam::creepingFlow::creepingFlow(const materialFields& materials)
 
 Foam::creepingFlow::creepingFlow
 (
-    const materialFields& materials,
+    materialFields& materials,
     const volVectorField& U,
     const volScalarField& pRgh,
     const volScalarField& omega
@@ -539,6 +540,7 @@ Foam::creepingFlow::creepingFlow
     (
         (printParts(), system_), preconditioner_, motions_, controls_
     ),
+    nonlinear_(controls_, materials.followsFlow()),
     nChanges_(0),
     nUnconverged_(0),
     nSolves_(0),
@@ -565,7 +567,8 @@ Foam::creepingFlow::creepingFlow
         controls_,
         {
             "tolerance", "maxIter", "nDirections", "notConverged",
-            "preconditioner", "freeSurfaceStabilisation", "corners", "forced"
+            "preconditioner", "freeSurfaceStabilisation", "corners", "forced",
+            "nonlinear"
         }
     );
     checkField(U_, dimVelocity);
@@ -598,7 +601,7 @@ const Foam::creepingFlow& Foam::creepingFlow::find(const fvMesh& mesh)
 void Foam::creepingFlow::solve()
 {
     boundary_.update();
-    solveOnce();
+    solveMaterials();
 
     // What the flow changes of the pressures that are given
     const label most = 100;
@@ -613,12 +616,12 @@ void Foam::creepingFlow::solve()
                 << "    Allowed: prghPressure and fixedValue"
                 << exit(FatalError);
         }
-        solveOnce();
+        solveMaterials();
     }
 }
 
 
-void Foam::creepingFlow::solveOnce()
+void Foam::creepingFlow::updateSystem()
 {
     system_.updateWalls();
 
@@ -638,7 +641,60 @@ void Foam::creepingFlow::solveOnce()
         }
         nChanges_ = materials_.nChanges();
     }
+}
 
+
+void Foam::creepingFlow::correctMaterials()
+{
+    // The gradients are of the last residual
+    updateSystem();
+    pack();
+    scalarField r;
+    system_.residual(x_, r);
+
+    const tmp<volTensorField> gradU(system_.gradU());
+    const tmp<volVectorField> gradOmega(fvc::grad(omega_, "linear"));
+
+    materials_.correct
+    (
+        flowState
+        {
+            mesh_, frame_.e(), gradU().primitiveField(),
+            p_.primitiveField(), omega_.primitiveField(),
+            gradOmega().primitiveField()
+        }
+    );
+}
+
+
+void Foam::creepingFlow::solveMaterials()
+{
+    if (!materials_.followsFlow())
+    {
+        solveOnce();
+        return;
+    }
+
+    scalar residual;
+    nonlinear_.start();
+    do
+    {
+        correctMaterials();
+        solveOnce();
+
+        residual = 0;
+        for (const scalar part : performance_.initial)
+        {
+            residual = max(residual, part);
+        }
+    }
+    while (nonlinear_.goOn(residual));
+}
+
+
+void Foam::creepingFlow::solveOnce()
+{
+    updateSystem();
     checkLoads();
     pack();
     performance_ = solver_.solve(x_);
@@ -656,6 +712,8 @@ void Foam::creepingFlow::summary() const
 {
     const cosseratSystem::powerTerms last(power());
     checkPressureWork(last);
+
+    nonlinear_.summary();
 
     Info<< nl << "Flow: " << nSolves_ << " solves, " << nIterations_
         << " iterations, at most " << maxIterations_ << " in one, "

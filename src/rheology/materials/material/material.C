@@ -62,6 +62,11 @@ void Foam::material::print(Ostream& os) const
         os  << "infinite";
     }
 
+    if (law_->followsFlow())
+    {
+        os  << " at rest, and then as the flow is";
+    }
+
     os  << nl;
 }
 

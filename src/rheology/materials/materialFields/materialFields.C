@@ -128,51 +128,54 @@ Foam::volScalarField Foam::materialFields::newField
 void Foam::materialFields::average
 (
     volScalarField& field,
-    const scalarList& values,
+    const UPtrList<const materialProperty>& values,
     const averageType rule
 ) const
 {
     scalarField& q = field.primitiveFieldRef();
     q = rule == averageType::GEOMETRIC ? 1 : 0;
+    scalar largest = 0;
 
     forAll(alphas_, m)
     {
+        largest = max(largest, values[m].largest());
         const scalarField& alpha = alphas_[m].primitiveField();
-        const scalar value = values[m];
+        const materialProperty& value = values[m];
 
-        switch (rule)
+        forAll(q, celli)
         {
-            case averageType::ARITHMETIC:
+            switch (rule)
             {
-                q += alpha*value;
-                break;
-            }
-            case averageType::GEOMETRIC:
-            {
-                q *= pow(scalarField(q.size(), value), alpha);
-                break;
-            }
-            case averageType::LAYERED:
-            {
-                // layerMean()
-                break;
-            }
-            case averageType::HARMONIC:
-            {
-                // A material without the property leaves none to the cell
-                q += alpha/max(value, VSMALL);
-                break;
+                case averageType::ARITHMETIC:
+                {
+                    q[celli] += alpha[celli]*value[celli];
+                    break;
+                }
+                case averageType::GEOMETRIC:
+                {
+                    q[celli] *= Foam::pow(value[celli], alpha[celli]);
+                    break;
+                }
+                case averageType::HARMONIC:
+                {
+                    // A material without the property leaves none to the cell
+                    q[celli] += alpha[celli]/max(value[celli], VSMALL);
+                    break;
+                }
+                case averageType::LAYERED:
+                {
+                    // layerMean()
+                    break;
+                }
             }
         }
     }
 
     if (rule == averageType::HARMONIC)
     {
-        const scalar largest = max(values);
-        forAll(q, celli)
+        for (scalar& value : q)
         {
-            q[celli] =
-                largest > 0 && largest*q[celli] <= 1/SMALL ? 1/q[celli] : 0;
+            value = largest > 0 && largest*value <= 1/SMALL ? 1/value : 0;
         }
     }
 
@@ -182,7 +185,7 @@ void Foam::materialFields::average
 
 Foam::tmp<Foam::scalarField> Foam::materialFields::layerMean
 (
-    const scalarList& values
+    const UPtrList<const materialProperty>& values
 ) const
 {
     tmp<scalarField> tmean(new scalarField(mesh_.nCells(), Zero));
@@ -191,19 +194,92 @@ Foam::tmp<Foam::scalarField> Foam::materialFields::layerMean
 
     forAll(alphas_, m)
     {
+        const scalarField& alpha = alphas_[m].primitiveField();
         const viscosityLaw& law = materials_[m].law();
         // Without bending viscosity etaC has no effect
-        const scalar etaC = law.M().value() > 0 ? law.etaC().value() : 0;
-        const scalarField share
-        (
-            alphas_[m].primitiveField()/(law.eta().value() + etaC)
-        );
-        compliance += share;
-        mean += share*values[m];
+        const bool cosserat = law.M().value() > 0;
+
+        forAll(mean, celli)
+        {
+            const scalar etaC = cosserat ? law.etaC()[celli] : 0;
+            const scalar share = alpha[celli]/(law.eta()[celli] + etaC);
+            compliance[celli] += share;
+            mean[celli] += share*values[m][celli];
+        }
     }
     mean /= compliance;
 
     return tmean;
+}
+
+
+template<class Get>
+Foam::UPtrList<const Foam::materialProperty> Foam::materialFields::all
+(
+    const Get& get
+) const
+{
+    UPtrList<const materialProperty> values(materials_.size());
+    forAll(materials_, m)
+    {
+        values.set(m, &get(materials_[m]));
+    }
+    return values;
+}
+
+
+void Foam::materialFields::copy
+(
+    volScalarField& field,
+    const materialProperty& value
+) const
+{
+    forAll(field, celli)
+    {
+        field[celli] = value[celli];
+    }
+    field.correctBoundaryConditions();
+}
+
+
+void Foam::materialFields::setProperties()
+{
+    if (alphas_.empty())
+    {
+        const viscosityLaw& law = materials_[0].law();
+        copy(eta_, law.eta());
+        copy(etaC_, law.etaC());
+        copy(M_, law.M());
+        copy(invB_, law.invB());
+        return;
+    }
+
+    typedef const material& type;
+    typedef const materialProperty& property;
+
+    const auto rho = all([](type m) -> property { return m.rho(); });
+    const auto eta = all([](type m) -> property { return m.law().eta(); });
+    const auto etaC = all([](type m) -> property { return m.law().etaC(); });
+    const auto M = all([](type m) -> property { return m.law().M(); });
+    const auto invB = all([](type m) -> property { return m.law().invB(); });
+
+    average(rho_, rho, densityAverage_);
+    if (layered())
+    {
+        eta_.primitiveFieldRef() = layerMean(eta);
+        etaC_.primitiveFieldRef() = layerMean(etaC);
+        eta_.correctBoundaryConditions();
+        etaC_.correctBoundaryConditions();
+        average(M_, M, averageType::HARMONIC);
+    }
+    else
+    {
+        average(eta_, eta, viscosityAverage_);
+        average(etaC_, etaC, viscosityAverage_);
+        average(M_, M, viscosityAverage_);
+    }
+    // Volume changes of the materials of a cell add up
+    average(invB_, invB, averageType::ARITHMETIC);
 }
 
 
@@ -373,12 +449,10 @@ Foam::wordList Foam::materialFields::names() const
 
 Foam::tmp<Foam::scalarField> Foam::materialFields::flowingDensity() const
 {
-    scalarList rho(materials_.size());
-    forAll(materials_, m)
-    {
-        rho[m] = materials_[m].rho().value();
-    }
-    return layerMean(rho);
+    return layerMean
+    (
+        all([](const material& m) -> const materialProperty& { return m.rho(); })
+    );
 }
 
 
@@ -397,36 +471,31 @@ void Foam::materialFields::correct()
         averaged_.set(m, new scalarField(alphas_[m].primitiveField()));
     }
 
-    const label n = materials_.size();
-    scalarList rho(n), eta(n), etaC(n), M(n), invB(n);
+    setProperties();
+}
 
-    forAll(materials_, m)
-    {
-        const viscosityLaw& law = materials_[m].law();
-        rho[m] = materials_[m].rho().value();
-        eta[m] = law.eta().value();
-        etaC[m] = law.etaC().value();
-        M[m] = law.M().value();
-        invB[m] = law.invB().value();
-    }
 
-    average(rho_, rho, densityAverage_);
-    if (viscosityAverage_ == averageType::LAYERED)
+bool Foam::materialFields::followsFlow() const
+{
+    for (const material& m : materials_)
     {
-        eta_.primitiveFieldRef() = layerMean(eta);
-        etaC_.primitiveFieldRef() = layerMean(etaC);
-        eta_.correctBoundaryConditions();
-        etaC_.correctBoundaryConditions();
-        average(M_, M, averageType::HARMONIC);
+        if (m.law().followsFlow())
+        {
+            return true;
+        }
     }
-    else
+    return false;
+}
+
+
+void Foam::materialFields::correct(const flowState& flow)
+{
+    for (material& m : materials_)
     {
-        average(eta_, eta, viscosityAverage_);
-        average(etaC_, etaC, viscosityAverage_);
-        average(M_, M, viscosityAverage_);
+        m.law().correct(flow);
     }
-    // Volume changes of the materials of a cell add up
-    average(invB_, invB, averageType::ARITHMETIC);
+    ++nChanges_;
+    setProperties();
 }
 
 

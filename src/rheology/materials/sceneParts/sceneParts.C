@@ -57,7 +57,7 @@ Foam::sceneParts::sceneParts
     {
         const viscosityLaw& law = m.law();
 
-        if (law.etaC().value() > 0 && law.M().value() > 0)
+        if (law.microrotation())
         {
             require(MICROROTATION, m.name());
         }
