@@ -43,6 +43,28 @@ void Foam::viscosityLaw::setM(const dimensionedScalar& R)
 }
 
 
+Foam::scalar Foam::viscosityLaw::shearRate
+(
+    const flowState& flow,
+    const label celli
+) const
+{
+    return flow.shearRate
+    (
+        celli, etaC_.value()/eta_.value(), M_.value()/eta_.value()
+    );
+}
+
+
+void Foam::viscosityLaw::scale(const scalarField& factor)
+{
+    for (materialProperty* property : {&eta_, &etaC_, &M_})
+    {
+        property->cells(factor.size()) = property->value()*factor;
+    }
+}
+
+
 void Foam::viscosityLaw::checkAdmissible() const
 {
     if (M_.value() > 0 && etaC_.value() <= 0)
