@@ -73,11 +73,12 @@ int main(int argc, char *argv[])
 
     const label n = system.size();
     scalarSquareMatrix A(n);
+    operatorState s(system.newState());
     scalarField x(n, Zero), r;
     for (label j = 0; j < n; ++j)
     {
         x[j] = 1;
-        system.residual(x, r, false);
+        system.residual(x, false, s, r);
         x[j] = 0;
         for (label i = 0; i < n; ++i)
         {

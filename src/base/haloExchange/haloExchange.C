@@ -22,20 +22,16 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "haloExchange.H"
-#include "planarFrame.H"
 #include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
-#include "tensorField.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::haloExchange::rotate
+Foam::List<Foam::tensor2D> Foam::haloExchange::rotationOf
 (
-    const label patchi,
-    const char* kinds,
-    scalarField& values
+    const label patchi
 ) const
 {
     const coupledPolyPatch& pp =
@@ -43,49 +39,57 @@ void Foam::haloExchange::rotate
 
     if (pp.parallel())
     {
-        return;
+        return List<tensor2D>();
     }
 
     const tensorField& T = pp.forwardT();
-    const label n = pp.size();
-
-    for (label i = 0; i < n; ++i)
+    List<tensor2D> R(T.size());
+    forAll(R, i)
     {
-        const tensor& Ti = T[T.size() == 1 ? 0 : i];
-        const scalar R[2][2] =
-        {
-            { frame_.component(Ti, 0, 0), frame_.component(Ti, 0, 1) },
-            { frame_.component(Ti, 1, 0), frame_.component(Ti, 1, 1) }
-        };
-
-        label at = i;
-        for (const char* k = kinds; *k; ++k)
-        {
-            if (*k == 'v')
-            {
-                const scalar v[2] = { values[at], values[at + n] };
-                for (int a = 0; a < 2; ++a)
-                {
-                    values[at + a*n] = R[a][0]*v[0] + R[a][1]*v[1];
-                }
-            }
-            else if (*k == 't')
-            {
-                scalar G[2][2];
-                for (int a = 0; a < 4; ++a)
-                {
-                    G[a/2][a%2] = values[at + a*n];
-                }
-                for (int a = 0; a < 4; ++a)
-                {
-                    values[at + a*n] =
-                        R[a/2][0]*(G[0][0]*R[a%2][0] + G[0][1]*R[a%2][1])
-                      + R[a/2][1]*(G[1][0]*R[a%2][0] + G[1][1]*R[a%2][1]);
-                }
-            }
-            at += (*k == 's' ? 1 : *k == 'v' ? 2 : 4)*n;
-        }
+        R[i] = frame_.inPlane(T[i]);
     }
+    return R;
+}
+
+
+void Foam::haloExchange::exchange() const
+{
+    const label startOfRequests = Pstream::nRequests();
+
+    forAll(coupled_, i)
+    {
+        if (processor_[i] < 0)
+        {
+            continue;
+        }
+
+        const processorPolyPatch& pp = refCast<const processorPolyPatch>
+        (
+            mesh_.boundaryMesh()[coupled_[i]]
+        );
+        receive_[i].setSize(send_[i].size());
+
+        UIPstream::read
+        (
+            Pstream::commsTypes::nonBlocking,
+            processor_[i],
+            reinterpret_cast<char*>(receive_[i].begin()),
+            receive_[i].size()*sizeof(scalar),
+            pp.tag(),
+            pp.comm()
+        );
+        UOPstream::write
+        (
+            Pstream::commsTypes::nonBlocking,
+            processor_[i],
+            reinterpret_cast<const char*>(send_[i].begin()),
+            send_[i].size()*sizeof(scalar),
+            pp.tag(),
+            pp.comm()
+        );
+    }
+
+    Pstream::waitRequests(startOfRequests);
 }
 
 
@@ -102,7 +106,9 @@ Foam::haloExchange::haloExchange
     start_(mesh.boundary().size()),
     size_(mesh.nCells())
 {
-    DynamicList<label> coupled;
+    DynamicList<label> coupled, processor;
+    DynamicList<labelList> cells;
+    DynamicList<List<tensor2D>> rotation;
 
     forAll(mesh.boundary(), patchi)
     {
@@ -114,8 +120,9 @@ Foam::haloExchange::haloExchange
         if (patch.coupled())
         {
             const polyPatch& pp = patch.patch();
+            const bool cyclic = isA<cyclicPolyPatch>(pp);
 
-            if (!isA<cyclicPolyPatch>(pp) && !isA<processorPolyPatch>(pp))
+            if (!cyclic && !isA<processorPolyPatch>(pp))
             {
                 FatalErrorInFunction
                     << "Patch " << patch.name() << " is of type "
@@ -123,106 +130,29 @@ Foam::haloExchange::haloExchange
                     << "    Allowed of the coupled types: cyclic"
                     << exit(FatalError);
             }
+
             coupled.append(patchi);
+            rotation.append(rotationOf(patchi));
+            processor.append
+            (
+                cyclic
+              ? -1 : refCast<const processorPolyPatch>(pp).neighbProcNo()
+            );
+            cells.append
+            (
+                cyclic
+              ? refCast<const cyclicPolyPatch>(pp).neighbPatch().faceCells()
+              : pp.faceCells()
+            );
         }
     }
 
     coupled_.transfer(coupled);
+    processor_.transfer(processor);
+    cells_.transfer(cells);
+    rotation_.transfer(rotation);
     send_.setSize(coupled_.size());
     receive_.setSize(coupled_.size());
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::haloExchange::swap
-(
-    const char* kinds,
-    std::initializer_list<scalarField*> arrays
-) const
-{
-    if (coupled_.empty())
-    {
-        return;
-    }
-
-    const label nArrays = arrays.size();
-    const label startOfRequests = Pstream::nRequests();
-
-    forAll(coupled_, i)
-    {
-        const label patchi = coupled_[i];
-        const polyPatch& pp = mesh_.boundaryMesh()[patchi];
-        const bool processor = isA<processorPolyPatch>(pp);
-
-        // What this patch sends, or a cyclic one gets from its partner
-        const labelUList& cells =
-        (
-            processor
-          ? pp.faceCells()
-          : refCast<const cyclicPolyPatch>(pp).neighbPatch().faceCells()
-        );
-        const label n = cells.size();
-
-        scalarField& values = processor ? send_[i] : receive_[i];
-        values.setSize(n*nArrays);
-
-        label at = 0;
-        for (const scalarField* a : arrays)
-        {
-            for (label facei = 0; facei < n; ++facei)
-            {
-                values[at++] = (*a)[cells[facei]];
-            }
-        }
-
-        if (processor)
-        {
-            const processorPolyPatch& ppp =
-                refCast<const processorPolyPatch>(pp);
-
-            receive_[i].setSize(values.size());
-
-            UIPstream::read
-            (
-                Pstream::commsTypes::nonBlocking,
-                ppp.neighbProcNo(),
-                reinterpret_cast<char*>(receive_[i].begin()),
-                receive_[i].size()*sizeof(scalar),
-                ppp.tag(),
-                ppp.comm()
-            );
-            UOPstream::write
-            (
-                Pstream::commsTypes::nonBlocking,
-                ppp.neighbProcNo(),
-                reinterpret_cast<const char*>(values.begin()),
-                values.size()*sizeof(scalar),
-                ppp.tag(),
-                ppp.comm()
-            );
-        }
-    }
-
-    Pstream::waitRequests(startOfRequests);
-
-    forAll(coupled_, i)
-    {
-        const label patchi = coupled_[i];
-        scalarField& values = receive_[i];
-
-        rotate(patchi, kinds, values);
-
-        label at = 0;
-        for (scalarField* a : arrays)
-        {
-            const label n = values.size()/nArrays;
-            for (label facei = 0; facei < n; ++facei)
-            {
-                (*a)[start_[patchi] + facei] = values[at++];
-            }
-        }
-    }
 }
 
 

@@ -237,7 +237,7 @@ void Foam::creepingFlow::checkLoads() const
 
     if (system_.pressureFloats())
     {
-        system_.netInflow(net, magnitude);
+        results().netInflow(net, magnitude);
 
         if (mag(net) > 1e-8*magnitude)
         {
@@ -254,7 +254,7 @@ void Foam::creepingFlow::checkLoads() const
     for (label i = 0; i < motions_.size(); ++i)
     {
         const vector direction(motions_.direction(i));
-        system_.netForce(direction, net, magnitude);
+        system_.loads().netForce(direction, net, magnitude);
 
         if (mag(net) > 1e-6*magnitude)
         {
@@ -286,7 +286,7 @@ void Foam::creepingFlow::pack()
         p = pRgh;
         if (gMax(pRgh) > gMin(pRgh))
         {
-            p = pRgh + system_.fromPRgh();
+            p = pRgh + system_.loads().fromPRgh();
         }
     }
 
@@ -307,7 +307,7 @@ void Foam::creepingFlow::pack()
 void Foam::creepingFlow::setPRgh()
 {
     SubField<scalar> p(x_, system_.nCells(), 2*system_.nCells());
-    const scalarField& from = system_.fromPRgh();
+    const scalarField& from = system_.loads().fromPRgh();
 
     // A restart has what p_rgh leaves of the pressure: so has the run that is
     // not stopped, as long as it leaves most of the digits
@@ -332,7 +332,7 @@ void Foam::creepingFlow::setPRgh()
     if (near && returnReduce(changed, orOp<bool>()))
     {
         scalarField r;
-        system_.residual(x_, r);
+        system_.residual(x_, true, state_, r);
     }
 }
 
@@ -342,20 +342,18 @@ void Foam::creepingFlow::unpack()
     setPRgh();
 
     const label n = system_.nCells();
-    const vector e(frame_.e());
-    const tmp<volTensorField> tgrad(system_.gradU());
-    const tensorField& grad = tgrad().primitiveField();
+    const systemResults results(this->results());
 
     forAll(U_, celli)
     {
-        U_[celli] = frame_.inSpace(x_[celli], x_[n + celli]);
+        U_[celli] = frame_.inSpace(state_.u[celli]);
         omega_[celli] =
             system_.cosserat() && !system_.rotationUndetermined(celli)
           ? x_[3*n + celli]
-          : e & (*skew(grad[celli]));
+          : 0.5*state_.curl(celli);
     }
 
-    p_.primitiveFieldRef() = SubField<scalar>(x_, n, 2*n) + system_.rhoGh();
+    p_.primitiveFieldRef() = SubField<scalar>(x_, n, 2*n) + system_.loads().rhoGh();
 
     // Coupled patches by evaluation, then the others as the system has them
     U_.correctBoundaryConditions();
@@ -373,7 +371,7 @@ void Foam::creepingFlow::unpack()
         forAll(patch, i)
         {
             const label slot = halo_.start(patchi) + i;
-            Ub[i] = system_.boundaryVelocity(slot);
+            Ub[i] = results.boundaryVelocity(slot);
             omegab[i] = omega_[cells[i]];
             if (system_.cosserat())
             {
@@ -384,15 +382,15 @@ void Foam::creepingFlow::unpack()
                 }
                 else if (!system_.rotationUndetermined(cells[i]))
                 {
-                    omegab[i] = system_.boundaryRotation(slot);
+                    omegab[i] = results.boundaryRotation(slot);
                 }
             }
-            const scalar p = system_.boundaryPressure(slot);
-            pb[i] = p + system_.boundaryRhoGh(slot);
+            const scalar p = results.boundaryPressure(slot);
+            pb[i] = p + results.boundaryRhoGh(slot);
             pRghb[i] =
                 boundary_.pressureFixed(boundary_.at(slot))
               ? boundary_.pressure(boundary_.at(slot))
-              : p - system_.fromPRgh()[cells[i]];
+              : p - system_.loads().fromPRgh()[cells[i]];
         }
 
         U_.boundaryFieldRef()[patchi] == Ub;
@@ -401,7 +399,7 @@ void Foam::creepingFlow::unpack()
         p_.boundaryFieldRef()[patchi] == pb;
     }
 
-    system_.getFluxes(phi_);
+    results.getFluxes(phi_);
 }
 
 
@@ -413,7 +411,7 @@ void Foam::creepingFlow::report()
 
     const word names[] = {"U", pRgh_.name(), "omega"};
 
-    for (label i = 0; i < system_.nBlocks() - 1; ++i)
+    for (label i = 0; i < system_.layout().nBlocks() - 1; ++i)
     {
         Info<< "FGMRES:  Solving for " << names[i]
             << ", Initial residual = " << performance_.initial[i]
@@ -454,12 +452,12 @@ void Foam::creepingFlow::report()
             << "Flow not converged at time " << mesh_.time().timeName()
             << " after " << performance_.iterations << " iterations:"
             << " residuals of U, p_rgh, omega " << performance_.final << nl
-            << "    Largest etaC/eta " << system_.largestCoupling()
+            << "    Largest etaC/eta " << system_.coefficients().largestCoupling()
             << ", largest jump of eta between cells "
-            << system_.largestJump() << nl
+            << system_.coefficients().largestJump() << nl
             << "    Mesh: distances to neighbours up to "
-            << system_.largestAspect() << " : 1, faces up to "
-            << system_.largestAngle() << " degrees from the path through them"
+            << system_.faces().largestAspect() << " : 1, faces up to "
+            << system_.faces().largestAngle() << " degrees from the path through them"
             << nl
             << "    Cures, in system/fvSolution, creepingFlow: a larger"
             << " maxIter or nDirections, block direct in preconditioner, a"
@@ -534,13 +532,17 @@ Foam::creepingFlow::creepingFlow
         materials.parts().has(sceneParts::MICROROTATION)
     ),
     system_(mesh_, frame_, halo_, boundary_, materials, readCorners()),
-    preconditioner_(system_, halo_, preconditionerControls()),
+    preconditioner_
+    (
+        flowPreconditioner::New(system_, preconditionerControls())
+    ),
     motions_(system_),
     solver_
     (
-        (printParts(), system_), preconditioner_, motions_, controls_
+        (printParts(), system_), preconditioner_(), motions_, controls_
     ),
     nonlinear_(controls_, materials.followsFlow()),
+    state_(system_.newState()),
     nChanges_(0),
     nUnconverged_(0),
     nSolves_(0),
@@ -633,11 +635,11 @@ void Foam::creepingFlow::updateSystem()
     )
     {
         system_.update();
-        preconditioner_.update();
+        preconditioner_->update();
 
         if (boundary_.maybeFloating())
         {
-            motions_.find(preconditioner_.weights());
+            motions_.find();
         }
         nChanges_ = materials_.nChanges();
     }
@@ -650,9 +652,9 @@ void Foam::creepingFlow::correctMaterials()
     updateSystem();
     pack();
     scalarField r;
-    system_.residual(x_, r);
+    system_.residual(x_, true, state_, r);
 
-    const tmp<volTensorField> gradU(system_.gradU());
+    const tmp<volTensorField> gradU(this->gradU());
     const tmp<volVectorField> gradOmega(fvc::grad(omega_, "linear"));
 
     materials_.correct
@@ -697,7 +699,7 @@ void Foam::creepingFlow::solveOnce()
     updateSystem();
     checkLoads();
     pack();
-    performance_ = solver_.solve(x_);
+    performance_ = solver_.solve(x_, state_);
     // Also without iterations: patch fields wait for it to take new values
     unpack();
     report();
@@ -710,7 +712,7 @@ void Foam::creepingFlow::solveOnce()
 
 void Foam::creepingFlow::summary() const
 {
-    const cosseratSystem::powerTerms last(power());
+    const powerTerms last(power());
     checkPressureWork(last);
 
     nonlinear_.summary();

@@ -86,7 +86,7 @@ void Foam::creepingFlow::refuseNotFinite() const
 
 void Foam::creepingFlow::checkPressureWork
 (
-    const cosseratSystem::powerTerms& terms
+    const powerTerms& terms
 ) const
 {
     if (goOn_ || materials_.parts().has(sceneParts::COMPRESSIBILITY))

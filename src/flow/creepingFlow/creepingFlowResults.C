@@ -106,10 +106,6 @@ Foam::tmp<Foam::volVectorField> Foam::creepingFlow::coupleStress() const
 
 Foam::tmp<Foam::volScalarField> Foam::creepingFlow::dissipation() const
 {
-    // The state that the works on faces are of
-    scalarField r;
-    system_.residual(x_, r);
-
     tmp<volScalarField> tdissipation
     (
         volScalarField::New
@@ -121,7 +117,7 @@ Foam::tmp<Foam::volScalarField> Foam::creepingFlow::dissipation() const
         )
     );
     scalarField& power = tdissipation.ref().primitiveFieldRef();
-    power = (system_.dissipated() + system_.bent())/mesh_.V();
+    power = (results().dissipated() + results().bent())/mesh_.V();
 
     if (materials_.parts().has(sceneParts::COMPRESSIBILITY))
     {

@@ -41,19 +41,20 @@ static const Foam::scalar remaining = 0.5;
 void Foam::flexibleGMRES::weightedResidual
 (
     const scalarField& x,
-    scalarField& r,
-    const bool driven
+    const bool driven,
+    operatorState& s,
+    scalarField& r
 ) const
 {
-    system_.residual(x, r, driven);
+    system_.residual(x, driven, s, r);
     motions_.removeFromResidual(r);
-    r *= preconditioner_.weights();
+    r *= system_.weights();
 }
 
 
 void Foam::flexibleGMRES::removeMotions(scalarField& x) const
 {
-    const scalarField& weights = preconditioner_.weights();
+    const scalarField& weights = system_.weights();
     const scalarField before(x);
 
     motions_.removeFromSolution(x);
@@ -135,15 +136,16 @@ Foam::label Foam::flexibleGMRES::cycle
     scalarField& x,
     const scalarField& r,
     const scalar target,
-    const label maxIter
+    const label maxIter,
+    operatorState& s
 )
 {
     const label m = min(nDirections_, maxIter);
-    const scalarField& weights = preconditioner_.weights();
+    const scalarField& weights = system_.weights();
 
     // Least-squares problem, kept triangular by rotations
     scalarRectangularMatrix R(m, m);
-    scalarList c(m, Zero), s(m, Zero), g(m + 1, Zero);
+    scalarList cosine(m, Zero), sine(m, Zero), g(m + 1, Zero);
 
     const scalar beta = Foam::sqrt(gSumSqr(r));
     v_[0] = r/beta;
@@ -156,7 +158,7 @@ Foam::label Foam::flexibleGMRES::cycle
         motions_.removeFromSolution(z_[k]);
 
         scalarField& v = v_[k + 1];
-        weightedResidual(z_[k], v, false);
+        weightedResidual(z_[k], false, s, v);
         v.negate();
 
         scalarList h(k + 1, Zero);
@@ -169,19 +171,19 @@ Foam::label Foam::flexibleGMRES::cycle
         for (label i = 0; i < k; ++i)
         {
             const scalar hi = h[i];
-            h[i] = c[i]*hi + s[i]*h[i + 1];
-            h[i + 1] = -s[i]*hi + c[i]*h[i + 1];
+            h[i] = cosine[i]*hi + sine[i]*h[i + 1];
+            h[i + 1] = -sine[i]*hi + cosine[i]*h[i + 1];
         }
         const scalar length = Foam::sqrt(sqr(h[k]) + sqr(norm));
         if (!(length > 0))
         {
             break;
         }
-        c[k] = h[k]/length;
-        s[k] = norm/length;
+        cosine[k] = h[k]/length;
+        sine[k] = norm/length;
         h[k] = length;
-        g[k + 1] = -s[k]*g[k];
-        g[k] *= c[k];
+        g[k + 1] = -sine[k]*g[k];
+        g[k] *= cosine[k];
 
         for (label i = 0; i <= k; ++i)
         {
@@ -209,7 +211,7 @@ Foam::label Foam::flexibleGMRES::cycle
 Foam::flexibleGMRES::flexibleGMRES
 (
     const cosseratSystem& system,
-    const blockPreconditioner& preconditioner,
+    const flowPreconditioner& preconditioner,
     const rigidMotions& motions,
     const dictionary& controls
 )
@@ -239,13 +241,17 @@ Foam::flexibleGMRES::flexibleGMRES
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve(scalarField& x)
+Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
+(
+    scalarField& x,
+    operatorState& s
+)
 {
     scalarField r;
     performance result;
     result.iterations = 0;
 
-    weightedResidual(scalarField(x.size(), Zero), r, true);
+    weightedResidual(scalarField(x.size(), Zero), true, s, r);
     const scalar reference = Foam::sqrt(gSumSqr(r));
 
     if (!(reference > VSMALL))
@@ -259,7 +265,7 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve(scalarField& x)
     }
 
     removeMotions(x);
-    weightedResidual(x, r, true);
+    weightedResidual(x, true, s, r);
     scalar residual = Foam::sqrt(gSumSqr(r))/reference;
     result.initial = norms(r, reference);
 
@@ -267,11 +273,11 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve(scalarField& x)
     {
         const label done = cycle
         (
-            x, r, 0.9*tolerance_*reference, maxIter_ - result.iterations
+            x, r, 0.9*tolerance_*reference, maxIter_ - result.iterations, s
         );
         result.iterations += done;
 
-        weightedResidual(x, r, true);
+        weightedResidual(x, true, s, r);
         residual = Foam::sqrt(gSumSqr(r))/reference;
 
         if (done == 0)
@@ -295,8 +301,9 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve(scalarField& x)
 
 Foam::scalar Foam::flexibleGMRES::rounding(const scalarField& x) const
 {
+    operatorState s(system_.newState());
     scalarField r;
-    weightedResidual(scalarField(x.size(), Zero), r, true);
+    weightedResidual(scalarField(x.size(), Zero), true, s, r);
     const scalar reference = Foam::sqrt(gSumSqr(r));
 
     // Up or down by half a digit, without a pattern in the mesh
@@ -307,7 +314,7 @@ Foam::scalar Foam::flexibleGMRES::rounding(const scalarField& x) const
         bits = 1664525*bits + 1013904223;
         value = bits & 0x80000000 ? value : -value;
     }
-    weightedResidual(rounded, r, false);
+    weightedResidual(rounded, false, s, r);
 
     return Foam::sqrt(gSumSqr(r))/max(reference, VSMALL);
 }

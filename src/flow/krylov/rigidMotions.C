@@ -41,8 +41,8 @@ Foam::tmp<Foam::scalarField> Foam::rigidMotions::candidate
     }
     else
     {
-        const fvMesh& mesh = system_.mesh();
-        const planarFrame& frame = system_.frame();
+        const fvMesh& mesh = system_.faces().mesh();
+        const planarFrame& frame = system_.faces().frame();
         const vectorField& C = mesh.C().primitiveField();
         const vector centre(gSum(C*mesh.V())/gSum(mesh.V()));
 
@@ -81,25 +81,27 @@ Foam::rigidMotions::rigidMotions(const cosseratSystem& system)
     volume_(system.size())
 {
     const label n = system.nCells();
-    for (label block = 0; block < system.nBlocks(); ++block)
+    for (label block = 0; block < system.layout().nBlocks(); ++block)
     {
-        SubList<scalar>(volume_, n, block*n) = system.mesh().V();
+        SubList<scalar>(volume_, n, block*n) = system.faces().V();
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::rigidMotions::find(const scalarField& weights)
+void Foam::rigidMotions::find()
 {
+    const scalarField& weights = system_.weights();
     modes_.clear();
 
+    operatorState s(system_.newState());
     PtrList<scalarField> x(3), Ax(3);
     forAll(x, i)
     {
         x.set(i, new scalarField(candidate(i)));
         Ax.set(i, new scalarField());
-        system_.residual(x[i], Ax[i], false);
+        system_.residual(x[i], false, s, Ax[i]);
         Ax[i] *= weights;
 
         // A motion of each component of U for itself would give this norm.
@@ -152,10 +154,10 @@ void Foam::rigidMotions::find(const scalarField& weights)
 Foam::vector Foam::rigidMotions::direction(const label i) const
 {
     const label n = system_.nCells();
-    const scalarField& V = system_.mesh().V();
+    const scalarField& V = system_.faces().mesh().V();
     const scalar v0 = gSum(V*SubList<scalar>(modes_[i], n, 0));
     const scalar v1 = gSum(V*SubList<scalar>(modes_[i], n, n));
-    const vector v(system_.frame().inSpace(v0, v1));
+    const vector v(system_.faces().frame().inSpace(v0, v1));
 
     return mag(v) > SMALL*gSum(V) ? normalised(v) : vector(Zero);
 }
@@ -171,7 +173,7 @@ void Foam::rigidMotions::removeFromSolution(scalarField& x) const
     if (system_.pressureFloats())
     {
         const label n = system_.nCells();
-        const scalarField& V = system_.mesh().V();
+        const scalarField& V = system_.faces().mesh().V();
         const scalarField p(SubList<scalar>(x, n, 2*n));
         SubList<scalar>(x, n, 2*n) = p - gSum(V*p)/gSum(V);
     }

@@ -83,7 +83,7 @@ bool Foam::functionObjects::powerBalance::execute()
 {
     const creepingFlow& flow = creepingFlow::find(mesh_);
 
-    const cosseratSystem::powerTerms power(flow.power());
+    const powerTerms power(flow.power());
     const scalar dissipation =
         gSum(flow.gradientDissipation()().primitiveField()*mesh_.V());
 

@@ -328,17 +328,16 @@ Foam::flowBoundary::flowBoundary
     velocityKind_(halo.size() - U.size(), char(VELOCITY)),
     rotationFixed_(velocityKind_.size(), false),
     pressureFixed_(velocityKind_.size(), false),
-    u0_(velocityKind_.size(), Zero),
-    u1_(u0_),
-    traction_(u0_),
-    rotation_(u0_),
-    couple_(u0_),
-    pressure_(u0_),
+    u_(velocityKind_.size(), Zero),
+    traction_(velocityKind_.size(), Zero),
+    rotation_(traction_),
+    couple_(traction_),
+    pressure_(traction_),
     pressureMeaning_
     (
         U.mesh().boundary().size(), patchFieldTypes::RESULT
     ),
-    curvature_(u0_),
+    curvature_(traction_),
     anyVelocity_(false),
     anyOpen_(false),
     followsFlow_(false)
@@ -418,8 +417,7 @@ bool Foam::flowBoundary::update()
         forAll(Up, facei)
         {
             const label i = start + facei;
-            u0_[i] = Up[facei][frame_.i0()];
-            u1_[i] = Up[facei][frame_.i1()];
+            u_[i] = frame_.inPlane(Up[facei]);
             traction_[i] = traction[facei] & (n[facei] ^ frame_.e());
             rotation_[i] = mirror ? 0 : wp[facei];
             couple_[i] = couple[facei];

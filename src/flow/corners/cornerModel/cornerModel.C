@@ -22,7 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cornerModel.H"
-#include "sparseFactorisation.H"
+#include "sparseEntries.H"
 #include "openfoamVersion.H"
 #include "unitConversion.H"
 
@@ -37,8 +37,7 @@ void Foam::cornerModel::sumOverAll(scalarList& values)
 
 void Foam::cornerModel::gather
 (
-    const scalarField& u0,
-    const scalarField& u1,
+    const Field<vector2D>& velocity,
     const bool driven,
     scalarList& u
 ) const
@@ -53,8 +52,8 @@ void Foam::cornerModel::gather
         {
             if (isMine(cells[k]))
             {
-                u[2*(starts_[i] + k)] = u0[cells[k].local];
-                u[2*(starts_[i] + k) + 1] = u1[cells[k].local];
+                u[2*(starts_[i] + k)] = velocity[cells[k].local].x();
+                u[2*(starts_[i] + k) + 1] = velocity[cells[k].local].y();
             }
         }
     }
@@ -198,8 +197,8 @@ void Foam::cornerModel::setWalls()
             const wallCorner::wall& w = corners_[i].walls()[side];
             if (w.holds && w.proc == Pstream::myProcNo())
             {
-                v[4*i + 2*side] = boundary_.u0(w.face);
-                v[4*i + 2*side + 1] = boundary_.u1(w.face);
+                v[4*i + 2*side] = boundary_.u(w.face).x();
+                v[4*i + 2*side + 1] = boundary_.u(w.face).y();
             }
         }
     }
@@ -235,15 +234,14 @@ void Foam::cornerModel::setWalls()
 
 void Foam::cornerModel::addForce
 (
-    const scalarField& u0,
-    const scalarField& u1,
+    const Field<vector2D>& velocity,
     const bool driven,
     scalarField& r
 ) const
 {
     const label n = mesh_.nCells();
     scalarList u;
-    gather(u0, u1, driven, u);
+    gather(velocity, driven, u);
 
     forAll(corners_, i)
     {
@@ -310,13 +308,12 @@ void Foam::cornerModel::addEntries
 
 void Foam::cornerModel::addPower
 (
-    const scalarField& u0,
-    const scalarField& u1,
+    const Field<vector2D>& velocity,
     scalar& walls
 ) const
 {
     scalarList u;
-    gather(u0, u1, true, u);
+    gather(velocity, true, u);
 
     forAll(corners_, i)
     {
@@ -335,13 +332,12 @@ void Foam::cornerModel::addPower
 
 void Foam::cornerModel::addDissipated
 (
-    const scalarField& u0,
-    const scalarField& u1,
+    const Field<vector2D>& velocity,
     scalarField& power
 ) const
 {
     scalarList u;
-    gather(u0, u1, true, u);
+    gather(velocity, true, u);
 
     forAll(corners_, i)
     {

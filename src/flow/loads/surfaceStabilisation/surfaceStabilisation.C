@@ -58,8 +58,7 @@ Foam::surfaceStabilisation::surfaceStabilisation
     frame_(frame),
     halo_(halo),
     theta_(readTheta(mesh)),
-    g0_(0),
-    g1_(0)
+    g_(Zero)
 {
     if (active())
     {
@@ -86,16 +85,15 @@ void Foam::surfaceStabilisation::update
         fv::gaussGrad<scalar>::gradf(linearInterpolate(rho)(), "gradRho")
     );
     const vectorField& grad = tgrad().primitiveField();
-    const label n = grad.size();
 
-    drho0_.setSize(halo_.size(), 0);
-    drho1_.setSize(halo_.size(), 0);
-    SubList<scalar>(drho0_, n) = grad.component(frame_.i0())();
-    SubList<scalar>(drho1_, n) = grad.component(frame_.i1())();
-    halo_.swap("v", {&drho0_, &drho1_});
+    gradRho_.setSize(halo_.size(), Zero);
+    forAll(grad, celli)
+    {
+        gradRho_[celli] = frame_.inPlane(grad[celli]);
+    }
+    halo_.swap(gradRho_);
 
-    g0_ = g[frame_.i0()];
-    g1_ = g[frame_.i1()];
+    g_ = frame_.inPlane(g);
 }
 
 

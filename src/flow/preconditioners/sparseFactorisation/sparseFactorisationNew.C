@@ -37,15 +37,8 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
-Foam::autoPtr<Foam::sparseFactorisation> Foam::sparseFactorisation::New
-(
-    const word& name,
-    const Time& time,
-    const label nLocal
-)
+bool Foam::sparseFactorisation::available(const word& name, const Time& time)
 {
-    const fileName library("lib" + name + "Factorisation.so");
-
     // The table is there with its first entry
     auto known = [&]()
     {
@@ -55,13 +48,27 @@ Foam::autoPtr<Foam::sparseFactorisation> Foam::sparseFactorisation::New
 
     if (!known())
     {
-        const_cast<Time&>(time).libs().open(library, false);
+        const_cast<Time&>(time).libs().open
+        (
+            "lib" + name + "Factorisation.so", false
+        );
     }
-    if (!known())
+    return known();
+}
+
+
+Foam::autoPtr<Foam::sparseFactorisation> Foam::sparseFactorisation::New
+(
+    const word& name,
+    const Time& time,
+    const label nLocal
+)
+{
+    if (!available(name, time))
     {
         FatalErrorInFunction
-            << "No factorisation " << name << ": " << library
-            << " cannot be opened" << nl
+            << "No factorisation " << name << ": lib" << name
+            << "Factorisation.so cannot be opened" << nl
             << "    It is built where its headers are found (for MUMPS the"
             << " package libmumps-dev). Allowed without: block multigrid in"
             << " system/fvSolution, creepingFlow" << exit(FatalError);

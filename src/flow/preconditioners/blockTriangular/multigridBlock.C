@@ -29,7 +29,6 @@ License
 Foam::multigridBlock::multigridBlock
 (
     const word& name,
-    const fvMesh& mesh,
     const haloExchange& halo,
     const dictionary& controls
 )
@@ -41,21 +40,23 @@ Foam::multigridBlock::multigridBlock
         IOobject
         (
             name,
-            mesh.time().timeName(),
-            mesh,
+            halo.mesh().time().timeName(),
+            halo.mesh(),
             IOobject::NO_READ,
             IOobject::NO_WRITE,
             false
         ),
-        mesh,
+        halo.mesh(),
         dimensionedScalar(dimless, Zero),
         "zeroGradient"
     ),
     interfaces_(field_.boundaryField().scalarInterfaces()),
-    matrix_(mesh),
-    bouCoeffs_(mesh.boundary().size()),
-    intCoeffs_(mesh.boundary().size())
+    matrix_(halo.mesh()),
+    bouCoeffs_(halo.mesh().boundary().size()),
+    intCoeffs_(halo.mesh().boundary().size())
 {
+    const fvMesh& mesh = halo.mesh();
+
     forAll(mesh.boundary(), patchi)
     {
         const label n =

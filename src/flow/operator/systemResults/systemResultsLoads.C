@@ -21,11 +21,11 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "cosseratSystem.H"
+#include "systemResults.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::cosseratSystem::wallLoads
+void Foam::systemResults::wallLoads
 (
     const label patchi,
     vectorField& pressure,
@@ -33,28 +33,15 @@ void Foam::cosseratSystem::wallLoads
     scalarField& couple
 ) const
 {
-    const fvPatch& patch = mesh_.boundary()[patchi];
-    const labelUList& cells = patch.faceCells();
+    const planarFrame& frame = mesh_.frame();
+    const flowLoads& loads = system_.loads();
+    const fvPatch& patch = mesh_.mesh().boundary()[patchi];
     const vectorField n(patch.nf());
     const vectorField d(patch.Cf() - patch.Cn());
-    const vector g(gravity());
+    const vector g(loads.gravity());
 
-    // What weightForce() moves from a cell to the next one is no force between
-    // cell and wall
-    vectorField moved(nCells_, Zero);
-    for (const label f : jump_)
-    {
-        const scalar s = (wSoft_[f] - w_[f])*ff_[f]/dc_[f];
-        for (const label celli : {own_[f], nei_[f]})
-        {
-            if (celli < nCells_)
-            {
-                scalar s0, s1;
-                gradientVector(celli, f, s0, s1);
-                moved[celli] -= s*frame_.inSpace(s0, s1);
-            }
-        }
-    }
+    // No force between cell and wall
+    const Field<vector2D> moved(system_.pressure().moved(s_));
 
     pressure.setSize(patch.size());
     viscous.setSize(patch.size());
@@ -62,48 +49,68 @@ void Foam::cosseratSystem::wallLoads
 
     forAll(patch, i)
     {
-        const label slot = halo_.start(patchi) + i;
-        const label f = nInternal_ + slot - nCells_;
-        const label P = cells[i];
+        const label slot = mesh_.halo().start(patchi) + i;
+        const label f = mesh_.faceOf(slot);
+        const label P = mesh_[f].own;
 
         // boundaryPressure takes no load from the cell to the face, by which p
         // rises there in a fluid at rest
-        vector force(rho_[P]*g);
-        if (!boundary_.pressureFixed(boundary_.at(slot)))
+        vector force(loads.rho(P)*g);
+        if (!system_.boundary().pressureFixed(mesh_.boundaryOf(f)))
         {
-            force += moved[P];
-            if (load_.force())
+            force += frame.inSpace(moved[P]);
+            if (loads.force())
             {
-                force += load_.force()->primitiveField()[P];
+                force += loads.force()->primitiveField()[P];
             }
         }
         const scalar p =
-            boundaryPressure(slot) + rhoGh_[P] + (force & d[i]);
-        pressure[i] = p*S_[f]*n[i];
+            boundaryPressure(slot) + loads.rhoGh()[P] + (force & d[i]);
+        pressure[i] = p*mesh_[f].S*n[i];
 
-        scalar F0, F1;
-        wallForce(f, true, F0, F1);
-        viscous[i] = -frame_.inSpace(F0, F1);
+        viscous[i] = -frame.inSpace(system_.viscous().onWall(s_, f, true));
 
         couple[i] =
-            cosserat_ && !rotationUndetermined(P) ? -wallCouple(f, true) : 0;
+            system_.cosserat() && !system_.rotationUndetermined(P)
+          ? -system_.viscous().coupleOnWall(s_, f, true) : 0;
     }
 }
 
 
-Foam::tmp<Foam::vectorField> Foam::cosseratSystem::cornerLoads() const
+Foam::tmp<Foam::vectorField> Foam::systemResults::cornerLoads() const
 {
-    scalarField r(size(), Zero);
-    corners_.addForce(u0_, u1_, true, r);
+    scalarField r(system_.size(), Zero);
+    system_.corners().addForce(s_.u, true, r);
 
-    tmp<vectorField> tforce(new vectorField(nCells_));
+    tmp<vectorField> tforce(new vectorField(mesh_.nCells()));
     vectorField& force = tforce.ref();
     forAll(force, celli)
     {
-        force[celli] = -frame_.inSpace(r[celli], r[nCells_ + celli]);
+        force[celli] =
+            -mesh_.frame().inSpace(system_.layout().u(r, celli));
     }
 
     return tforce;
+}
+
+
+void Foam::systemResults::netInflow(scalar& net, scalar& magnitude) const
+{
+    net = magnitude = 0;
+
+    for (const label f : mesh_.oneSided())
+    {
+        const label i = mesh_.boundaryOf(f);
+        if (system_.boundary().velocity(i) == flowBoundary::VELOCITY)
+        {
+            const vector2D u(system_.boundary().u(i));
+            net -= mesh_[f].S*(u & mesh_[f].n);
+            magnitude += mesh_[f].S*mag(u);
+        }
+    }
+
+    reduce(net, sumOp<scalar>());
+    reduce(magnitude, sumOp<scalar>());
 }
 
 

@@ -21,7 +21,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "cosseratSystem.H"
+#include "flowLoads.H"
 #include "coupledPolyPatch.H"
 #include "surfaceFields.H"
 
@@ -93,7 +93,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::cosseratSystem::checkPeriodic(const coupledPolyPatch& pp) const
+void Foam::flowLoads::checkPeriodic(const coupledPolyPatch& pp) const
 {
     const vector g(gravity());
     const vector turned(transform(pp.forwardT()[0], g));
@@ -110,12 +110,12 @@ void Foam::cosseratSystem::checkPeriodic(const coupledPolyPatch& pp) const
 }
 
 
-Foam::vector Foam::cosseratSystem::periodicGravity() const
+Foam::vector Foam::flowLoads::periodicGravity() const
 {
     const vector g(gravity());
 
     vector periodic(Zero);
-    for (const polyPatch& pp : mesh_.boundaryMesh())
+    for (const polyPatch& pp : mesh_.mesh().boundaryMesh())
     {
         if (isA<coupledPolyPatch>(pp) && pp.size())
         {
@@ -138,28 +138,28 @@ Foam::vector Foam::cosseratSystem::periodicGravity() const
 }
 
 
-void Foam::cosseratSystem::setHeights(const vector& periodic)
+void Foam::flowLoads::setHeights(const vector& periodic)
 {
     const scalarField& rho = rho_;
     const scalar gh = height_.gh(gravity(), periodic);
 
     // Of the constant that a pressure may have as much as leaves small numbers
     // where p_rgh is given far away
-    const openings given(mesh_, boundary_, rho, gravity());
-    const bool far = mag(gh) > 1e3*mag(gravity())*mesh_.bounds().mag();
+    const openings given(mesh_.mesh(), boundary_, rho, gravity());
+    const bool far = mag(gh) > 1e3*mag(gravity())*mesh_.mesh().bounds().mag();
     const scalar level = far && !given.byWeight ? given.least*gh : 0;
 
     fromPRgh_ = rho*gh - level;
     rhoGh_ =
         rho
-       *(gradientGravity_ & (mesh_.C().primitiveField() - height_.middle()))
+       *(gradientGravity_ & (mesh_.mesh().C().primitiveField() - height_.middle()))
       + level;
 
-    givenFromPRgh_ = scalarField(halo_.size() - nCells_, Zero);
+    givenFromPRgh_ = scalarField(mesh_.nSlots() - mesh_.nCells(), Zero);
     for (const label patchi : boundary_.patches())
     {
-        const fvPatch& patch = mesh_.boundary()[patchi];
-        const label start = boundary_.at(halo_.start(patchi));
+        const fvPatch& patch = mesh_.mesh().boundary()[patchi];
+        const label start = boundary_.at(mesh_.halo().start(patchi));
         const bool byWeight =
             patchFieldTypes::byWeight(boundary_.pressureMeaning(patchi));
 
@@ -183,25 +183,22 @@ void Foam::cosseratSystem::setHeights(const vector& periodic)
 }
 
 
-void Foam::cosseratSystem::checkHeights() const
+void Foam::flowLoads::checkHeights() const
 {
-    const openings given
-    (
-        mesh_, boundary_, rho_, gravity()
-    );
+    const openings given(mesh_.mesh(), boundary_, rho_, gravity());
 
     if
     (
         given.patch >= 0 && given.most - given.least > 1e-9*given.most
-     && mag(given.lowest) > 1e-6*mesh_.bounds().mag()
+     && mag(given.lowest) > 1e-6*mesh_.mesh().bounds().mag()
     )
     {
         const dictionary where
         (
             fileName
             (
-                mesh_.time().timeName()/"p_rgh.boundaryField."
-              + mesh_.boundary()[given.patch].name()
+                mesh_.mesh().time().timeName()/"p_rgh.boundaryField."
+              + mesh_.mesh().boundary()[given.patch].name()
             )
         );
 

@@ -1,0 +1,460 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cellGradient.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    static tensor2D product(const gradientMatrix& L, const tensor2D& g)
+    {
+        tensor2D sum(Zero);
+        for (direction j = 0; j < 4; ++j)
+        {
+            for (direction l = 0; l < 4; ++l)
+            {
+                sum[j] += L[4*j + l]*g[l];
+            }
+        }
+        return sum;
+    }
+
+    static tensor2D transposedProduct
+    (
+        const gradientMatrix& L,
+        const tensor2D& g
+    )
+    {
+        tensor2D sum(Zero);
+        for (direction j = 0; j < 4; ++j)
+        {
+            for (direction l = 0; l < 4; ++l)
+            {
+                sum[j] += L[4*l + j]*g[l];
+            }
+        }
+        return sum;
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::cellGradient::setWallRotation
+(
+    operatorState& s,
+    const label f,
+    const bool driven
+) const
+{
+    const label i = mesh_.boundaryOf(f);
+    const label P = mesh_[f].own;
+    scalar& omega = s.omega[mesh_[f].nei];
+
+    if (boundary_.rotationFixed(i))
+    {
+        omega = driven ? boundary_.rotation(i) : 0;
+        return;
+    }
+
+    omega = s.omega[P];
+    if (driven && K_.M(P) > 0)
+    {
+        omega += boundary_.couple(i)/(K_.M(P)*mesh_[f].dc);
+    }
+}
+
+
+Foam::scalar Foam::cellGradient::wallSpeed
+(
+    const operatorState& s,
+    const label f,
+    const bool driven
+) const
+{
+    // Tangential gradient such that the wall bears the traction, with
+    // u_n,t = -curvature u_t. The mean of omega on the way makes it the mean
+    // gradient, so the speed is of second order
+    const planarFace& face = mesh_[f];
+    const label P = face.own;
+    const scalar traction =
+        driven ? boundary_.traction(mesh_.boundaryOf(f)) : 0;
+    const scalar mean =
+        s.omega[P] + K_.wallShare(f)*(s.omega[face.nei] - s.omega[P]);
+    const scalar slope =
+        (traction - 2*K_.etaC(P)*mean)/(K_.eta(P) + K_.etaC(P));
+
+    return K_.wallGain(f)*((s.u[P] & face.t()) + slope/face.dc);
+}
+
+
+void Foam::cellGradient::addWallSpeed
+(
+    operatorState& s,
+    const label f,
+    const scalar straight
+) const
+{
+    const planarFace& face = mesh_[f];
+    const vector2D change(K_.wallGain(f)*straight*face.t());
+
+    s.u[face.nei] += change;
+    s.G[face.own] += face.S/mesh_.V()[face.own]*(face.n*change);
+}
+
+
+void Foam::cellGradient::calcRotation(operatorState& s) const
+{
+    s.gradOmega = Zero;
+
+    auto add = [&](const label celli, const vector2D& S, const scalar omega)
+    {
+        // Differences, so that the faces left out do not matter
+        s.gradOmega[celli] += (omega - s.omega[celli])*S;
+    };
+
+    mesh_.forTwoSided
+    (
+        [&](const label f)
+        {
+            // No couple passes where M is zero on one side, nor has omega a
+            // meaning there
+            if (K_.rotation(f).Km > 0)
+            {
+                const planarFace& face = mesh_[f];
+                const vector2D S(face.S*face.n);
+                const scalar omega =
+                    face.w*s.omega[face.own]
+                  + (1 - face.w)*s.omega[face.nei];
+                add(face.own, S, omega);
+                add(face.nei, -S, omega);
+            }
+        }
+    );
+    for (const label f : mesh_.oneSided())
+    {
+        const planarFace& face = mesh_[f];
+        add(face.own, face.S*face.n, s.omega[face.nei]);
+    }
+
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        s.gradOmega[celli] = mesh_.gradient(celli, s.gradOmega[celli]);
+    }
+    mesh_.halo().swap(s.gradOmega);
+}
+
+
+void Foam::cellGradient::weight(operatorState& s) const
+{
+    // Faces first, without what the gradient of the cell itself adds
+    for (const jumpFace& jump : K_.jumps())
+    {
+        const planarFace& face = mesh_[jump.f];
+        const label P = face.own, N = face.nei;
+        const vector2D d(s.u[N] - s.u[P]), t(face.t());
+        const scalar vn = (face.w - K_[jump.f].wStiff)*(d & face.n);
+        scalar vt = (face.w - jump.w)*(d & t);
+        if (K_.cosserat())
+        {
+            vt += jump.compliance*2
+               *(K_.es(N)*s.omega[N] - K_.es(P)*s.omega[P]);
+        }
+
+        const vector2D v(vn*face.n + vt*t);
+        for (const label celli : {P, N})
+        {
+            if (celli < mesh_.nCells())
+            {
+                s.G[celli] += mesh_.gradientVector(celli, jump.f)*v;
+            }
+        }
+    }
+
+    // Then that
+    for (const jumpCell& cell : K_.jumpCells())
+    {
+        s.G[cell.celli] = product(cell.inverse, s.G[cell.celli]);
+    }
+}
+
+
+void Foam::cellGradient::correctRotation
+(
+    operatorState& s,
+    const label f
+) const
+{
+    const planarFace& face = mesh_[f];
+    const label i = mesh_.boundaryOf(f);
+    const label P = face.own;
+    const scalar d = 1/face.dc;
+
+    // d^2 omega,nn by the moment balance
+    const scalar curvature = 4*s.relativeRotation(P)*K_.resolution(P, f);
+
+    scalar change = 0;
+    if (!boundary_.rotationFixed(i))
+    {
+        change = -0.5*curvature;
+        if (mesh_.nonOrthogonal())
+        {
+            change -= d*(face.k() & s.gradOmega[P]);
+        }
+        s.omega[face.nei] += change;
+    }
+    if (boundary_.velocity(i) == flowBoundary::TRACTION)
+    {
+        addWallSpeed
+        (
+            s,
+            f,
+            d*K_.etaC(P)*(curvature/6 - change)/(K_.eta(P) + K_.etaC(P))
+        );
+    }
+}
+
+
+void Foam::cellGradient::correctWalls(operatorState& s) const
+{
+    for (const label f : mesh_.oneSided())
+    {
+        const planarFace& face = mesh_[f];
+        const label P = face.own;
+        const scalar d = 1/face.dc;
+
+        if (K_.cosserat() && !K_.rotationUndetermined(P))
+        {
+            correctRotation(s, f);
+        }
+
+        // From the foot of the normal through the centre to the face centre
+        if
+        (
+            mesh_.nonOrthogonal()
+         && boundary_.velocity(mesh_.boundaryOf(f)) == flowBoundary::TRACTION
+        )
+        {
+            addWallSpeed(s, f, -d*(face.k() & (s.G[P] & face.t())));
+        }
+
+        // The Gauss gradient has the slopes of quarter and inner face by
+        // halves; two thirds and one third are right at the centre
+        const vector2D c
+        (
+            (s.u[face.nei] - s.u[P])/d - (face.m & s.G[P])
+        );
+        s.G[P] += (face.n*c)/3;
+    }
+}
+
+
+void Foam::cellGradient::weightWalls
+(
+    operatorState& s,
+    const UList<tensor2D>& before
+) const
+{
+    const List<jumpWall>& walls = K_.jumpWalls();
+    forAll(walls, i)
+    {
+        tensor2D& G = s.G[walls[i].celli];
+        G = product(walls[i].after, G) - product(walls[i].before, before[i]);
+    }
+}
+
+
+void Foam::cellGradient::addFaceAdjoint
+(
+    const Field<tensor2D>& B,
+    const unknowns& all,
+    scalarField& r
+) const
+{
+    auto onFace = [&](const planarFace& face)
+    {
+        return vector2D(face.S*(face.n & (B[face.own] - B[face.nei])));
+    };
+
+    mesh_.forTwoSided
+    (
+        [&](const label f)
+        {
+            const planarFace& face = mesh_[f];
+            const vector2D b(onFace(face));
+            all.addForce(r, face.own, face.w*b);
+            all.addForce(r, face.nei, (1 - face.w)*b);
+        }
+    );
+
+    // Weights of jumps instead of linear ones
+    for (const jumpFace& jump : K_.jumps())
+    {
+        const planarFace& face = mesh_[jump.f];
+        const vector2D b(onFace(face)), t(face.t());
+        const vector2D c
+        (
+            (face.w - K_[jump.f].wStiff)*(b & face.n)*face.n
+          + (face.w - jump.w)*(b & t)*t
+        );
+        all.addForce(r, face.own, -c);
+        all.addForce(r, face.nei, c);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::cellGradient::cellGradient
+(
+    const faceGeometry& mesh,
+    const flowBoundary& boundary,
+    const viscousCoefficients& K
+)
+:
+    mesh_(mesh),
+    boundary_(boundary),
+    K_(K)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::cellGradient::setBoundary
+(
+    operatorState& s,
+    const bool driven
+) const
+{
+    for (const label f : mesh_.oneSided())
+    {
+        const planarFace& face = mesh_[f];
+        const label i = mesh_.boundaryOf(f);
+        vector2D& u = s.u[face.nei];
+
+        if (K_.cosserat())
+        {
+            setWallRotation(s, f, driven);
+        }
+
+        switch (boundary_.velocity(i))
+        {
+            case flowBoundary::VELOCITY:
+            {
+                u = driven ? boundary_.u(i) : vector2D(Zero);
+                break;
+            }
+            case flowBoundary::TRACTION:
+            {
+                u = wallSpeed(s, f, driven)*face.t();
+                break;
+            }
+            case flowBoundary::OPEN:
+            {
+                u = s.u[face.own];
+                break;
+            }
+        }
+    }
+}
+
+
+void Foam::cellGradient::gauss(operatorState& s) const
+{
+    s.G = Zero;
+
+    mesh_.forTwoSided
+    (
+        [&](const label f)
+        {
+            const planarFace& face = mesh_[f];
+            const tensor2D flux
+            (
+                face.S
+               *(
+                    face.n
+                   *(face.w*s.u[face.own] + (1 - face.w)*s.u[face.nei])
+                )
+            );
+
+            // What a slot gets here is overwritten by swap()
+            s.G[face.own] += flux;
+            s.G[face.nei] -= flux;
+        }
+    );
+    for (const label f : mesh_.oneSided())
+    {
+        const planarFace& face = mesh_[f];
+        s.G[face.own] += face.S*(face.n*s.u[face.nei]);
+    }
+
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        s.G[celli] = mesh_.gradient(celli, s.G[celli]);
+    }
+}
+
+
+void Foam::cellGradient::calc(operatorState& s) const
+{
+    gauss(s);
+    if (s.gradOmega.size())
+    {
+        calcRotation(s);
+    }
+    weight(s);
+
+    const List<jumpWall>& walls = K_.jumpWalls();
+    List<tensor2D> before(walls.size());
+    forAll(walls, i)
+    {
+        before[i] = s.G[walls[i].celli];
+    }
+    correctWalls(s);
+    weightWalls(s, before);
+}
+
+
+void Foam::cellGradient::addAdjoint
+(
+    Field<tensor2D>& B,
+    const unknowns& all,
+    scalarField& r
+) const
+{
+    for (const jumpCell& cell : K_.jumpCells())
+    {
+        B[cell.celli] = transposedProduct(cell.inverse, B[cell.celli]);
+    }
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        B[celli] = mesh_.gradientAdjoint(celli, B[celli]);
+    }
+    mesh_.halo().swap(B);
+
+    addFaceAdjoint(B, all, r);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,229 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "faceGeometry.H"
+#include "surfaceFields.H"
+#include "unitConversion.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::faceGeometry::setFace
+(
+    const label f,
+    const vector& S,
+    const scalar dc,
+    const scalar w,
+    const vector& d,
+    const vector& toCentre
+)
+{
+    planarFace& face = faces_[f];
+    face.S = mag(S);
+    face.n = frame_.inPlane(S)/face.S;
+    face.m = dc*frame_.inPlane(d);
+    face.dc = dc;
+    face.w = w;
+    offset_[f] = frame_.inPlane(vector(toCentre - (1 - w)*d));
+}
+
+
+void Foam::faceGeometry::setInternal()
+{
+    const surfaceVectorField delta(mesh_.delta());
+
+    for (label f = 0; f < nInternal_; ++f)
+    {
+        const label P = faces_[f].own = mesh_.owner()[f];
+        faces_[f].nei = mesh_.neighbour()[f];
+        setFace
+        (
+            f,
+            mesh_.Sf()[f],
+            mesh_.nonOrthDeltaCoeffs()[f],
+            mesh_.weights()[f],
+            delta[f],
+            mesh_.Cf()[f] - mesh_.C()[P]
+        );
+    }
+    twoSided_.append(labelPair(0, nInternal_));
+}
+
+
+void Foam::faceGeometry::setBoundary()
+{
+    DynamicList<label> oneSided;
+
+    forAll(mesh_.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        const label start = faceOf(halo_.start(patchi));
+        const vectorField& Sf = mesh_.Sf().boundaryField()[patchi];
+        const scalarField& dc =
+            mesh_.nonOrthDeltaCoeffs().boundaryField()[patchi];
+        const scalarField& w = mesh_.weights().boundaryField()[patchi];
+        const vectorField delta(patch.delta());
+
+        forAll(patch, i)
+        {
+            const label f = start + i;
+            const label P = faces_[f].own = patch.faceCells()[i];
+            faces_[f].nei = halo_.start(patchi) + i;
+            const vector out(patch.Cf()[i] - mesh_.C()[P]);
+
+            if (patch.coupled())
+            {
+                setFace(f, Sf[i], dc[i], w[i], delta[i], out);
+            }
+            else
+            {
+                setFace(f, Sf[i], mag(Sf[i])/(Sf[i] & out), 1, out, Zero);
+                oneSided.append(f);
+            }
+        }
+
+        if (patch.coupled() && patch.size())
+        {
+            twoSided_.append(labelPair(start, start + patch.size()));
+        }
+    }
+    oneSided_.transfer(oneSided);
+}
+
+
+void Foam::faceGeometry::classify()
+{
+    scalar angle = 0, skewness = 0;
+    forAll(faces_, f)
+    {
+        angle = max(angle, mag(faces_[f].k()));
+        skewness = max(skewness, mag(offset_[f])*faces_[f].dc);
+    }
+
+    // Beyond rounding
+    skewed_ = returnReduce(skewness, maxOp<scalar>()) > 1e-5;
+    nonOrthogonal_ = skewed_ || returnReduce(angle, maxOp<scalar>()) > 1e-5;
+    adjoint_ = returnReduce(skewness, maxOp<scalar>()) > 0.1;
+}
+
+
+void Foam::faceGeometry::setExactness()
+{
+    // The sums of a gradient for the coordinates themselves
+    exact_.setSize(nCells_);
+    exact_ = Zero;
+
+    auto add = [&](const label celli, const planarFace& face, const scalar way)
+    {
+        exact_[celli] += (way*face.S/face.dc*face.n)*face.m;
+    };
+    forTwoSided
+    (
+        [&](const label f)
+        {
+            const planarFace& face = faces_[f];
+            add(face.own, face, 1 - face.w);
+            if (face.nei < nCells_)
+            {
+                add(face.nei, face, face.w);
+            }
+        }
+    );
+    for (const label f : oneSided_)
+    {
+        add(faces_[f].own, faces_[f], 1);
+    }
+
+    forAll(exact_, celli)
+    {
+        exact_[celli] = V()[celli]*planarFrame::inverse(exact_[celli]);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::faceGeometry::faceGeometry
+(
+    const fvMesh& mesh,
+    const planarFrame& frame,
+    const haloExchange& halo
+)
+:
+    mesh_(mesh),
+    frame_(frame),
+    halo_(halo),
+    nCells_(mesh.nCells()),
+    nInternal_(mesh.nInternalFaces()),
+    faces_(nInternal_ + halo.size() - nCells_),
+    offset_(faces_.size(), Zero),
+    nonOrthogonal_(false),
+    skewed_(false),
+    adjoint_(false)
+{
+    setInternal();
+    setBoundary();
+    classify();
+
+    if (skewed_)
+    {
+        setExactness();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::faceGeometry::largestAspect() const
+{
+    scalarField smallest(nCells_, GREAT), most(nCells_, Zero);
+    forTwoSided
+    (
+        [&](const label f)
+        {
+            for (const label celli : {faces_[f].own, faces_[f].nei})
+            {
+                if (celli < nCells_)
+                {
+                    smallest[celli] = min(smallest[celli], faces_[f].dc);
+                    most[celli] = max(most[celli], faces_[f].dc);
+                }
+            }
+        }
+    );
+    return gMax(scalarField(most/smallest));
+}
+
+
+Foam::scalar Foam::faceGeometry::largestAngle() const
+{
+    scalar tangent = 0;
+    forTwoSided
+    (
+        [&](const label f) { tangent = max(tangent, mag(faces_[f].k())); }
+    );
+    return radToDeg(atan(returnReduce(tangent, maxOp<scalar>())));
+}
+
+
+// ************************************************************************* //

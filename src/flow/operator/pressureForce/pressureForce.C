@@ -1,0 +1,317 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pressureForce.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::pressureForce::setReconstruction()
+{
+    reconstruction_ = Zero;
+
+    auto add = [&](const label celli, const planarFace& face, const scalar way)
+    {
+        reconstruction_[celli] += (way*face.S/face.dc*face.n)*face.m;
+    };
+    mesh_.forTwoSided
+    (
+        [&](const label f)
+        {
+            const planarFace& face = mesh_[f];
+            add(face.own, face, 1 - face.w);
+            if (face.nei < mesh_.nCells())
+            {
+                add(face.nei, face, face.w);
+            }
+        }
+    );
+    for (const label f : mesh_.oneSided())
+    {
+        if (boundary_.pressureFixed(mesh_.boundaryOf(f)))
+        {
+            add(mesh_[f].own, mesh_[f], 1);
+        }
+    }
+
+    // Inverse, or the pseudo-inverse for a cell with a single face that
+    // counts, of which the determinant is zero but for rounding
+    for (tensor2D& T : reconstruction_)
+    {
+        const scalar norm = magSqr(T);
+        if (mag(T.xx()*T.yy() - T.xy()*T.yx()) > 1e-6*norm)
+        {
+            T = planarFrame::inverse(T);
+        }
+        else if (norm > 0)
+        {
+            T = T.T()/norm;
+        }
+    }
+}
+
+
+void Foam::pressureForce::setFaces(operatorState& s, const bool driven) const
+{
+    mesh_.forTwoSided
+    (
+        [&](const label f)
+        {
+            const planarFace& face = mesh_[f];
+            s.faceForce[f] = -face.dc*(s.p[face.nei] - s.p[face.own]);
+        }
+    );
+    if (driven)
+    {
+        mesh_.forTwoSided
+        (
+            [&](const label f) { s.faceForce[f] += loads_.faceForce(f); }
+        );
+        forAll(boundary_.jump(), i)
+        {
+            const label f = mesh_.nInternal() + i;
+            s.faceForce[f] += mesh_[f].dc*boundary_.jump()[i];
+        }
+    }
+
+    for (const label f : mesh_.oneSided())
+    {
+        const label i = mesh_.boundaryOf(f);
+        s.faceForce[f] = 0;
+        if (boundary_.pressureFixed(i))
+        {
+            const scalar given = driven ? loads_.givenPressure(i) : 0;
+            s.faceForce[f] = -mesh_[f].dc*(given - s.p[mesh_[f].own]);
+            if (driven)
+            {
+                s.faceForce[f] += loads_.faceForce(f);
+            }
+        }
+    }
+}
+
+
+void Foam::pressureForce::addStabilisation(operatorState& s) const
+{
+    mesh_.forTwoSided
+    (
+        [&](const label f)
+        {
+            const planarFace& face = mesh_[f];
+            const label P = face.own, N = face.nei;
+            s.faceForce[f] += stabilisation_.along(face.m)*
+            (
+                face.w*stabilisation_.change(P, s.u[P])
+              + (1 - face.w)*stabilisation_.change(N, s.u[N])
+            );
+        }
+    );
+}
+
+
+void Foam::pressureForce::reconstruct(operatorState& s) const
+{
+    s.f = Zero;
+
+    mesh_.forTwoSided
+    (
+        [&](const label f)
+        {
+            const planarFace& face = mesh_[f];
+            const vector2D F(face.S*s.faceForce[f]/face.dc*face.n);
+            s.f[face.own] += (1 - face.w)*F;
+            s.f[face.nei] += face.w*F;
+        }
+    );
+    for (const label f : mesh_.oneSided())
+    {
+        const planarFace& face = mesh_[f];
+        s.f[face.own] += face.S*s.faceForce[f]/face.dc*face.n;
+    }
+
+    forAll(reconstruction_, celli)
+    {
+        s.f[celli] = reconstruction_[celli] & s.f[celli];
+    }
+}
+
+
+void Foam::pressureForce::weight(operatorState& s) const
+{
+    for (const jumpFace& jump : K_.jumps())
+    {
+        const planarFace& face = mesh_[jump.f];
+        const scalar change =
+            (K_[jump.f].wSoft - face.w)*s.faceForce[jump.f]/face.dc;
+
+        for (const label celli : {face.own, face.nei})
+        {
+            if (celli < mesh_.nCells())
+            {
+                s.f[celli] -= change*mesh_.gradientVector(celli, jump.f);
+            }
+        }
+    }
+}
+
+
+void Foam::pressureForce::addAdjoint
+(
+    const operatorState& s,
+    const unknowns& all,
+    scalarField& r
+) const
+{
+    // Work of the pressure differences on the part of the fluxes that the
+    // gradients of cells make
+    Field<tensor2D> B(mesh_.nSlots(), Zero);
+    mesh_.forTwoSided
+    (
+        [&](const label f)
+        {
+            const planarFace& face = mesh_[f];
+            const scalar wP = K_[f].wStiff;
+            const tensor2D b
+            (
+                face.S*s.faceForce[f]/face.dc*(K_.fluxOffset(f)*face.n)
+            );
+            B[face.own] += wP*b;
+            B[face.nei] += (1 - wP)*b;
+        }
+    );
+    gradient_.addAdjoint(B, all, r);
+
+    mesh_.forTwoSided
+    (
+        [&](const label f)
+        {
+            const planarFace& face = mesh_[f];
+            const scalar wP = K_[f].wStiff;
+            const vector2D F(face.S*s.faceForce[f]/face.dc*face.n);
+            all.addForce(r, face.own, wP*F);
+            all.addForce(r, face.nei, (1 - wP)*F);
+        }
+    );
+    for (const label f : mesh_.oneSided())
+    {
+        const planarFace& face = mesh_[f];
+        all.addForce(r, face.own, face.S*s.faceForce[f]/face.dc*face.n);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pressureForce::pressureForce
+(
+    const faceGeometry& mesh,
+    const flowBoundary& boundary,
+    const viscousCoefficients& K,
+    const cellGradient& gradient,
+    const flowLoads& loads,
+    const surfaceStabilisation& stabilisation
+)
+:
+    mesh_(mesh),
+    boundary_(boundary),
+    K_(K),
+    gradient_(gradient),
+    loads_(loads),
+    stabilisation_(stabilisation),
+    reconstruction_(mesh.nCells())
+{
+    setReconstruction();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::pressureForce::calc
+(
+    operatorState& s,
+    const bool driven,
+    const bool moving
+) const
+{
+    setFaces(s, driven);
+    if (moving && stabilisation_.active())
+    {
+        addStabilisation(s);
+    }
+    reconstruct(s);
+    weight(s);
+}
+
+
+Foam::tmp<Foam::Field<Foam::vector2D>> Foam::pressureForce::moved
+(
+    const operatorState& s
+) const
+{
+    tmp<Field<vector2D>> tmoved(new Field<vector2D>(mesh_.nCells(), Zero));
+
+    operatorState still(mesh_, false);
+    still.faceForce = s.faceForce;
+    weight(still);
+    tmoved.ref() = SubField<vector2D>(still.f, mesh_.nCells());
+
+    return tmoved;
+}
+
+
+void Foam::pressureForce::add
+(
+    const operatorState& s,
+    const unknowns& all,
+    scalarField& r
+) const
+{
+    if (mesh_.adjoint())
+    {
+        addAdjoint(s, all, r);
+        return;
+    }
+
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        all.addForce(r, celli, mesh_.V()[celli]*s.f[celli]);
+    }
+}
+
+
+Foam::scalar Foam::pressureForce::onBoundary
+(
+    const operatorState& s,
+    const label slot
+) const
+{
+    const planarFace& face = mesh_[mesh_.faceOf(slot)];
+    const label i = mesh_.boundaryOf(mesh_.faceOf(slot));
+
+    return
+        boundary_.pressureFixed(i)
+      ? loads_.givenPressure(i)
+      : s.p[face.own] - (s.f[face.own] & (face.m/face.dc));
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,184 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "viscousCoefficients.H"
+#include "HashSet.H"
+#include "Map.H"
+#include "SVD.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- The numbers of a 4 x 4 matrix, row by row
+    static gradientMatrix listed(const scalarRectangularMatrix& M)
+    {
+        gradientMatrix list;
+        forAll(list, i)
+        {
+            list[i] = M(i/4, i % 4);
+        }
+        return list;
+    }
+
+    static scalarSquareMatrix unit()
+    {
+        return scalarSquareMatrix(4, Identity<scalar>());
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::viscousCoefficients::addJump
+(
+    const jumpFace& jump,
+    const label celli,
+    scalarSquareMatrix& A
+) const
+{
+    const planarFace& face = mesh_[jump.f];
+    const vector2D s(mesh_.gradientVector(celli, jump.f));
+    const vector2D n(face.n), t(face.t()), k(face.k());
+
+    // G_ij += s_i v_j, v = n vn + t vt: u_n,t = t_k G_kl n_l of two layers in
+    // vt, and in both the way k to the normal
+    const scalar q = jump.compliance*(b(face.nei) - b(face.own));
+    const scalar kn = (face.w - faces_[jump.f].wStiff)/face.dc;
+    const scalar kt = (face.w - jump.w)/face.dc;
+
+    for (label ij = 0; ij < 4; ++ij)
+    {
+        const label m = ij % 2;
+        for (label kl = 0; kl < 4; ++kl)
+        {
+            const label l = kl % 2;
+            A(ij, kl) -= s[ij/2]*
+            (
+                t[m]*q*t[kl/2]*n[l]
+              + k[kl/2]*(kn*n[m]*n[l] + kt*t[m]*t[l])
+            );
+        }
+    }
+}
+
+
+void Foam::viscousCoefficients::setJumpCells()
+{
+    // Row of a cell in the lists, by cell
+    Map<label> row;
+    DynamicList<label> cells;
+    DynamicList<scalarSquareMatrix> systems;
+
+    for (const jumpFace& jump : jumps_)
+    {
+        for (const label celli : {mesh_[jump.f].own, mesh_[jump.f].nei})
+        {
+            if (celli >= mesh_.nCells())
+            {
+                continue;
+            }
+            if (row.insert(celli, cells.size()))
+            {
+                cells.append(celli);
+                systems.append(unit());
+            }
+            addJump(jump, celli, systems[row[celli]]);
+        }
+    }
+
+    jumpCells_.setSize(cells.size());
+    forAll(systems, i)
+    {
+        jumpCells_[i].celli = cells[i];
+        jumpCells_[i].inverse = listed(SVDinv(systems[i]));
+        systems[i] = unit() - systems[i];
+    }
+    setJumpWalls(systems);
+}
+
+
+Foam::scalarSquareMatrix Foam::viscousCoefficients::wallCorrection
+(
+    const label f
+) const
+{
+    const planarFace& face = mesh_[f];
+    scalarSquareMatrix W(unit());
+    for (label ij = 0; ij < 4; ++ij)
+    {
+        for (label l = 0; l < 2; ++l)
+        {
+            W(ij, 2*l + ij % 2) -= face.n[ij/2]*face.m[l]/3;
+        }
+    }
+    return W;
+}
+
+
+void Foam::viscousCoefficients::setJumpWalls
+(
+    const UList<scalarSquareMatrix>& jumps
+)
+{
+    labelHashSet beside(2*jumpCells_.size());
+    for (const jumpCell& cell : jumpCells_)
+    {
+        beside.insert(cell.celli);
+    }
+
+    // The correction at walls, face by face
+    Map<scalarSquareMatrix> walls;
+    for (const label f : mesh_.oneSided())
+    {
+        const label P = mesh_[f].own;
+        if (beside.found(P))
+        {
+            walls.insert(P, unit());
+            walls[P] = scalarSquareMatrix(wallCorrection(f)*walls[P]);
+        }
+    }
+
+    // G = W (g + K G) + ..., of (1 - K)^-1 g before and its W after
+    jumpWalls_.setSize(walls.size());
+    label n = 0;
+    forAll(jumpCells_, i)
+    {
+        const label celli = jumpCells_[i].celli;
+        if (walls.found(celli))
+        {
+            const scalarSquareMatrix WK(walls[celli]*jumps[i]);
+            const scalarSquareMatrix after
+            (
+                SVDinv(scalarSquareMatrix(unit() - WK))
+            );
+            jumpWalls_[n].celli = celli;
+            jumpWalls_[n].after = listed(after);
+            jumpWalls_[n].before = listed(after*WK);
+            ++n;
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,83 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "flowPreconditioner.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(flowPreconditioner, 0);
+    defineRunTimeSelectionTable(flowPreconditioner, system);
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::scalarField> Foam::flowPreconditioner::pressureOf
+(
+    const scalarField& r
+) const
+{
+    const scalarField& V = system_.faces().V();
+    tmp<scalarField> tp(2*muByV_*system_.layout().p(r));
+    if (system_.closed())
+    {
+        tp.ref() -= gSum(V*tp())/gSum(V);
+    }
+    return tp;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::flowPreconditioner::firstPressure
+(
+    const scalarField& r
+) const
+{
+    tmp<scalarField> tp(pressureOf(r));
+    if (system_.closed() && !system_.pressureFloats())
+    {
+        tp.ref() += gSum(system_.layout().p(r))/system_.compliance();
+    }
+    return tp;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::flowPreconditioner::flowPreconditioner(const cosseratSystem& system)
+:
+    system_(system),
+    s_(system.newState())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::flowPreconditioner::update()
+{
+    muByV_ = system_.pressureViscosity()/system_.faces().V();
+}
+
+
+// ************************************************************************* //
