@@ -116,14 +116,23 @@ void Foam::faceGeometry::classify()
     scalar angle = 0, skewness = 0;
     forAll(faces_, f)
     {
-        angle = max(angle, mag(faces_[f].k()));
-        skewness = max(skewness, mag(offset_[f])*faces_[f].dc);
+        const planarFace& face = faces_[f];
+        const scalar off = mag(offset_[f])*face.dc;
+        angle = max(angle, mag(face.k()));
+        skewness = max(skewness, off);
+
+        // Triangles have a third
+        adjoint_[face.own] = adjoint_[face.own] || off > 0.1;
+        if (face.nei < nCells_)
+        {
+            adjoint_[face.nei] = adjoint_[face.nei] || off > 0.1;
+        }
     }
 
     // Beyond rounding
     skewed_ = returnReduce(skewness, maxOp<scalar>()) > 1e-5;
     nonOrthogonal_ = skewed_ || returnReduce(angle, maxOp<scalar>()) > 1e-5;
-    adjoint_ = returnReduce(skewness, maxOp<scalar>()) > 0.1;
+    anyAdjoint_ = returnReduce(skewness, maxOp<scalar>()) > 0.1;
 }
 
 
@@ -179,7 +188,8 @@ Foam::faceGeometry::faceGeometry
     offset_(faces_.size(), Zero),
     nonOrthogonal_(false),
     skewed_(false),
-    adjoint_(false)
+    adjoint_(nCells_, false),
+    anyAdjoint_(false)
 {
     setInternal();
     setBoundary();

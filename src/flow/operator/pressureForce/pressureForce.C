@@ -285,15 +285,23 @@ void Foam::pressureForce::add
     scalarField& r
 ) const
 {
-    if (mesh_.adjoint())
+    scalarField adjoint;
+    if (mesh_.anyAdjoint())
     {
-        addAdjoint(s, all, r);
-        return;
+        adjoint.setSize(r.size(), 0);
+        addAdjoint(s, all, adjoint);
     }
 
     for (label celli = 0; celli < mesh_.nCells(); ++celli)
     {
-        all.addForce(r, celli, mesh_.V()[celli]*s.f[celli]);
+        all.addForce
+        (
+            r,
+            celli,
+            mesh_.adjoint(celli)
+          ? all.u(adjoint, celli)
+          : vector2D(mesh_.V()[celli]*s.f[celli])
+        );
     }
 }
 
