@@ -167,6 +167,28 @@ MISTAKES = {
                         ["pointsPerCell", "2147483647"]),
     "dye without spacing": (POINTS, "spacing     0.5;", "",
                             ["spacing", "materialPointsProperties"]),
+    "unknown property": (POINTS, "minPointsPerCell    4;",
+                         "properties { strain { type tensile; } }",
+                         ["tensile", "strain", "accumulatedStrain"]),
+    "property of a name that is taken": (
+        POINTS, "minPointsPerCell    4;",
+        "properties { volume { type carried; } }",
+        ["volume", "origId", "materialPointsProperties"]),
+    "property as a field of the flow": (
+        POINTS, "minPointsPerCell    4;",
+        "properties { omega { type carried; onMesh yes; } }",
+        ["omega", "on the mesh", "any other name"]),
+    "misspelt entry of a property": (
+        POINTS, "minPointsPerCell    4;",
+        "properties { ore { type carried; begin 1; } }", ["begin", "start"]),
+    "region of a property without value": (
+        POINTS, "minPointsPerCell    4;",
+        "properties { ore { type carried; regions ( { type all; } ); } }",
+        ["Region 0", "ore", "value"]),
+    "property beyond sense": (
+        POINTS, "minPointsPerCell    4;",
+        "properties { ore { type carried; start 1e50; } }",
+        ["start", "1e+50", "1e+40"]),
     # What OpenFOAM reads without a word
     "entry twice": (MATERIALS, "eta         1000;", "eta 1000; eta 10;",
                     ["'eta' is given twice", "materialProperties"]),

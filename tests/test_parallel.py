@@ -25,6 +25,9 @@ def silo(path, end=1e-4, tolerance=1e-10, **control):
     case.substitute("system/controlDict", {
         "endTime": end, "deltaT": 1e-5, "adjustTimeStep": "no",
         "writeInterval": 5e-5, "writePrecision": 17, **control})
+    with open(case.path/"constant/materialPointsProperties", "a") as file:
+        file.write("properties { strain { type accumulatedStrain; onMesh yes; }"
+                   " }\n")
     case.run("blockMesh")
     return case
 
@@ -81,6 +84,8 @@ def test_decompositions(serial, tmp_path, method, ranks, n, block):
     row = compare(case, serial[block])
     for name in ("U", "p", "omega"):
         assert row[f"diff{name}"] < (1e-8 if block == "automatic" else 1e-10)
+    strain, expected = case.field("strain"), serial[block].field("strain")
+    assert np.abs(strain - expected).max() < 1e-8*expected.max()
     assert row["points"] == len(serial[block].cloud("dye"))
     assert row["diffPoints"] < 1e-8
     assert row["volume"] == pytest.approx(
@@ -107,6 +112,8 @@ def test_restart_is_bitwise(tmp_path, form, adjust, ranks):
     assert " read, " in half.log()
     expected, found = files(whole, ranks), files(half, ranks)
     assert len(expected) >= 20*ranks
+    assert {"strain", "gradUBefore", "lagrangian/materialPoints/strain"} <= {
+        name for _, name in expected}
     assert expected.keys() == found.keys()
     assert [name for name in expected if expected[name] != found[name]] == []
 

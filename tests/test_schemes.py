@@ -19,6 +19,7 @@ TABLES = {
     "pointIntegration": "integration",
     "flowCoupling": "coupling",
     "pointAverage": "average",
+    "pointProperty": "property",
     "sparseFactorisation": None,
 }
 
@@ -29,7 +30,7 @@ ENTRIES = list(schemes.chosen(Case(TUTORIALS/"schemes")))
 #: rounding. Of those the log or the dye tells that they were taken
 SAME = {"block multigrid", "notConverged warn", "forced microrotation",
         "forced gravity", "forced averages", "forced matrices",
-        "dye bands", "dye stripes",
+        "dye bands", "dye stripes", "property carried",
         *(f"interpolation {name}" for name in (
             "cell", "cellPatchConstrained", "cellPointFace",
             "cellPointWallModified", "pointMVC"))}

@@ -271,7 +271,7 @@ def test_tutorial_is_whole(case):
 
 
 @pytest.mark.parametrize("name", ["viscosityLaw", "pointVelocity",
-                                  "wallCondition"])
+                                  "pointProperty", "wallCondition"])
 def test_example_of_the_docs_applies(name):
     """Each example is short and fits the code as it is."""
     diff = ROOT/f"docs/examples/{name}.diff"

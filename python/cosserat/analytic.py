@@ -602,6 +602,14 @@ def rayleigh_taylor_growth(ratio, height=0.2, width=0.9142):
     return below[0] @ solution[:4]
 
 
+def shear_strain(x, y, rate, time):
+    """Shear that a point at (x, y) of the unit square around the origin has
+    seen in the flow (rate y, 0) since it was there at time 0 or flowed in by a
+    side since: the rate times its age."""
+    way = np.where(y > 0, 0.5 + x, 0.5 - x)
+    return np.minimum(rate*time, way/np.abs(y))
+
+
 def err(exact, numeric):
     """Error norm of the paper, [30]."""
     exact, numeric = np.asarray(exact), np.asarray(numeric)

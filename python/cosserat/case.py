@@ -217,11 +217,11 @@ class Case:
         return edges
 
     def cloud(self, name, time=None, cloud="materialPoints"):
-        """Field of a cloud; 'positions' gives shape (nPoints, 3)."""
+        """Field of a cloud, one row or number per point."""
         file = self.file(f"lagrangian/{cloud}/{name}", time)
         if name == "positions":
             return file.positions()
-        kind = "scalar" if "scalarField" in file.header else "label"
+        kind = re.search(r"class\s+(\w+)Field;", file.header)[1]
         return file.list(file.start, kind)[0].astype(float)
 
     def centroid(self, material, time=None):

@@ -23,7 +23,8 @@ def run(path, average, points, n, steps=0):
                fractions=lambda x, y: 0*x, force=RigidShear.force,
                tolerance=1e-8).write()
     add_points(case, "{ type all; material heavy; }", pointsPerCell=points,
-               average=average, minPointsPerCell=0)
+               average=average, minPointsPerCell=0,
+               properties="{ density { type carried; onMesh yes; } }")
     case.substitute("system/controlDict", {
         "endTime": 1 if steps else 0, "deltaT": 1/max(steps, 1),
         "writeInterval": max(steps, 1)})

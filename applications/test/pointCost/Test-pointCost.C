@@ -69,7 +69,11 @@ int main(int argc, char *argv[])
     clockTime timer;
     const label before = memInfo().rss();
     timer.timeIncrement();
-    materialPointCloud points(materials.names(), flow.U(), phi);
+    materialPointCloud points
+    (
+        materials.names(), flow.U(), phi, flow.omega(),
+        [&]() { return flow.gradU(); }
+    );
     const scalar seeding = timer.timeIncrement();
     const scalar kB =
         returnReduce(scalar(memInfo().rss() - before), sumOp<scalar>());

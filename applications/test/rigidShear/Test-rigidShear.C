@@ -40,8 +40,9 @@ Description
 
     The case is one of cosseratPicFoam with a field bodyForce, which is
     overwritten, two materials of eta = 1 that do nothing but tell of the
-    change, and boxes for cells. The solution is written as U, p and density,
-    at the start time too.
+    change, and boxes for cells. Its points have one property, density, of type
+    carried and on the mesh. The solution is written as U, p and density, at
+    the start time too.
 
 Usage
     Test-rigidShear [-scatter]
@@ -90,13 +91,13 @@ static void scatter(materialPointCloud& points, const fvMesh& mesh)
             point p(box.midpoint());
             p.x() = box.min().x() + random.sample01<scalar>()*box.span().x();
             p.y() = box.min().y() + random.sample01<scalar>()*box.span().y();
-            points.addParticle
+
+            materialPoint* scattered = new materialPoint
             (
-                new materialPoint
-                (
-                    mesh, p, celli, 0, 0, mesh.V()[celli]/perCell
-                )
+                mesh, p, celli, 0, 0, mesh.V()[celli]/perCell
             );
+            points.properties().start(*scattered);
+            points.addParticle(scattered);
         }
     }
 }
@@ -112,48 +113,28 @@ int main(int argc, char *argv[])
 
     materialFields materials(mesh);
     creepingFlow flow(materials);
-    materialPointCloud points(materials.names(), flow.U(), flow.phi());
+    materialPointCloud points
+    (
+        materials.names(), flow.U(), flow.phi(), flow.omega(),
+        [&]() { return flow.gradU(); }
+    );
 
     if (args.found("scatter"))
     {
         scatter(points, mesh);
     }
 
-    label nIds = 0;
-    for (const materialPoint& p : points)
+    for (materialPoint& p : points)
     {
-        nIds = max(nIds, p.origId() + 1);
-    }
-    scalarField carried(nIds);
-    for (const materialPoint& p : points)
-    {
-        carried[p.origId()] = density(p.position());
+        p.values()[0] = density(p.position());
     }
 
-    volScalarField rho
-    (
-        IOobject
-        (
-            "density",
-            runTime.timeName(),
-            mesh,
-            IOobject::NO_READ,
-            IOobject::AUTO_WRITE
-        ),
-        mesh,
-        dimensionedScalar(dimDensity, Zero)
-    );
+    const auto& rho = mesh.lookupObject<volScalarField>("density");
     auto& force = mesh.lookupObjectRef<volVectorField>("bodyForce");
 
     auto solve = [&]()
     {
-        scalarField values(points.size());
-        label i = 0;
-        for (const materialPoint& p : points)
-        {
-            values[i++] = carried[p.origId()];
-        }
-        rho.primitiveFieldRef() = points.average(values);
+        points.average(materials.fractions());
 
         forAll(rho, celli)
         {

@@ -148,13 +148,22 @@ void Foam::materialPointCloud::checkRead() const
 }
 
 
+void Foam::materialPointCloud::takeFlow(const scalar dt)
+{
+    coupling_->update(dt);
+    properties_.takeFlow();
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::materialPointCloud::materialPointCloud
 (
     const wordList& materials,
     const volVectorField& U,
-    const surfaceScalarField& phi
+    const surfaceScalarField& phi,
+    const volScalarField& omega,
+    const pointFlow::gradient& gradU
 )
 :
     Cloud<materialPoint>(U.mesh(), cloudName, false),
@@ -165,6 +174,7 @@ Foam::materialPointCloud::materialPointCloud
     integration_(pointIntegration::New(dict_)),
     average_(pointAverage::New(dict_)),
     coupling_(flowCoupling::New(dict_, U, phi)),
+    properties_(mesh_, dict_, *coupling_, gradU, omega),
     census_(),
     population_(mesh_, dict_, seeding_.pointsPerCell()),
     velocity_(pointVelocity::New(dict_, coupling_->U(), coupling_->phi())),
@@ -178,7 +188,7 @@ Foam::materialPointCloud::materialPointCloud
         {
             "seeding", "velocity", "integration", "coupling", "average",
             "minPointsPerCell", "maxPointsPerCell", "volumeCorrection",
-            "inflow"
+            "inflow", "properties"
         }
     );
 
@@ -188,6 +198,7 @@ Foam::materialPointCloud::materialPointCloud
     materialPoint::readFields(*this);
     renumberMaterials();
     checkRead();
+    properties_.read(*this);
 
     const bool restart = nPoints() > 0;
     if (!restart)
@@ -214,6 +225,7 @@ Foam::materialPointCloud::materialPointCloud
     }
     Info<< ", volumeCorrection " << correction_.active()
         << nl << endl;
+    properties_.report();
 
     census_.take(*this);
     account_.open(*this);
@@ -265,7 +277,10 @@ Foam::materialPoint::trackingData Foam::materialPointCloud::track
 
     const openFaces open(coupling_->U(), coupling_->phi());
     materialPoint::trackingData td(*this, *velocity_, *integration_, open, dt);
+
+    properties_.update(*this, 0.5*dt);
     Cloud<materialPoint>::move(*this, td, dt);
+    properties_.update(*this, 0.5*dt);
 
     return td;
 }
@@ -284,7 +299,7 @@ void Foam::materialPointCloud::predict
         start.set(i++, new materialPoint(p));
     }
 
-    coupling_->update(dt);
+    takeFlow(dt);
     track(0.5*dt);
     census_.take(*this);
     population_.refill(*this);
@@ -300,7 +315,7 @@ void Foam::materialPointCloud::predict
 
 void Foam::materialPointCloud::move(const scalar dt)
 {
-    coupling_->update(dt);
+    takeFlow(dt);
     const materialPoint::trackingData td(track(dt));
 
     label nIn = 0;
@@ -339,7 +354,7 @@ void Foam::materialPointCloud::checkInflow
 void Foam::materialPointCloud::average
 (
     PtrList<volScalarField>& fractions
-) const
+)
 {
     // A scene of one material has none
     if (fractions.size())
@@ -347,6 +362,7 @@ void Foam::materialPointCloud::average
         average_->fractions(*this, fractions);
         correction_.apply(*this, fractions);
     }
+    properties_.average(*this);
 }
 
 
@@ -392,6 +408,7 @@ void Foam::materialPointCloud::summary
 void Foam::materialPointCloud::writeFields() const
 {
     materialPoint::writeFields(*this);
+    properties_.write(*this);
     materialNames::write(mesh_, materials_);
 }
 
@@ -399,6 +416,7 @@ void Foam::materialPointCloud::writeFields() const
 void Foam::materialPointCloud::writeObjects(objectRegistry& obr) const
 {
     materialPoint::writeObjects(*this, obr);
+    properties_.writeObjects(*this, obr);
 }
 
 

@@ -262,9 +262,13 @@ void Foam::pointInflow::enter
                     volume
                 );
 
+                cloud.properties().enter(*p);
+
                 const scalar left =
                     dt*min(max((now - k)/(now - before), scalar(0)), scalar(1));
+                cloud.properties().update(*p, 0.5*left);
                 const scalar rest = p->track(left*velocity.value(*p), 0);
+                cloud.properties().update(*p, 0.5*left);
 
                 // Through a corner of the body in one step
                 if (rest > 0 && p->onBoundaryFace() && faces.out(p->face()))

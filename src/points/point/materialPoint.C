@@ -68,7 +68,43 @@ Foam::materialPoint::materialPoint
 }
 
 
+Foam::materialPoint::materialPoint
+(
+    const polyMesh& mesh,
+    const point& position,
+    const label celli,
+    const UList<scalar>& numbers
+)
+:
+    particle(mesh, position, celli),
+    material_(label(numbers[0])),
+    dye_(label(numbers[1])),
+    volume_(numbers[2]),
+    values_
+    (
+        SubList<scalar>(numbers, numbers.size() - nOwnNumbers, nOwnNumbers)
+    )
+{
+    startStep();
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalarList Foam::materialPoint::handsOn() const
+{
+    scalarList numbers(nOwnNumbers + values_.size());
+    numbers[0] = material_;
+    numbers[1] = dye_;
+    numbers[2] = volume_;
+    forAll(values_, i)
+    {
+        numbers[nOwnNumbers + i] = values_[i];
+    }
+
+    return numbers;
+}
+
 
 void Foam::materialPoint::startStep()
 {
@@ -200,6 +236,14 @@ void Foam::materialPoint::transformProperties(const tensor& T)
     displacement_ = transform(T, displacement_);
     travelled_ = transform(T, travelled_);
     sum_ = transform(T, sum_);
+
+    if (values_.size())
+    {
+        mesh().lookupObject<materialPointCloud>
+        (
+            materialPointCloud::cloudName
+        ).properties().transform(*this, T);
+    }
 }
 
 

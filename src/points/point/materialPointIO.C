@@ -26,12 +26,14 @@ License
 #include "IOField.H"
 #include "openfoamVersion.H"
 
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-const std::size_t Foam::materialPoint::sizeofFields
-(
-    sizeof(materialPoint) - sizeof(particle)
-);
+std::size_t Foam::materialPoint::sizeofFields() const
+{
+    return
+        reinterpret_cast<const char*>(&values_)
+      - reinterpret_cast<const char*>(&material_);
+}
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -56,12 +58,13 @@ Foam::materialPoint::materialPoint
         if (is.format() == IOstream::ASCII)
         {
             is  >> material_ >> dye_ >> volume_ >> stage_
-                >> displacement_ >> travelled_ >> sum_ >> nTracks_;
+                >> nTracks_ >> displacement_ >> travelled_ >> sum_;
         }
         else
         {
-            is.read(reinterpret_cast<char*>(&material_), sizeofFields);
+            is.read(reinterpret_cast<char*>(&material_), sizeofFields());
         }
+        is  >> values_;
     }
 
     is.check(FUNCTION_NAME);
@@ -167,19 +170,21 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const materialPoint& p)
             << token::SPACE << p.dye_
             << token::SPACE << p.volume_
             << token::SPACE << p.stage_
+            << token::SPACE << p.nTracks_
             << token::SPACE << p.displacement_
             << token::SPACE << p.travelled_
             << token::SPACE << p.sum_
-            << token::SPACE << p.nTracks_;
+            << token::SPACE;
     }
     else
     {
         os.write
         (
             reinterpret_cast<const char*>(&p.material_),
-            materialPoint::sizeofFields
+            p.sizeofFields()
         );
     }
+    os  << p.values_;
 
     os.check(FUNCTION_NAME);
     return os;

@@ -23,10 +23,44 @@ License
 
 #include "pointPopulation.H"
 #include "bitSet.H"
+#include "coupledPolyPatch.H"
 #include "materialPointCloud.H"
 #include "syncTools.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- Rotate what came through a coupled face, as points that cross it are
+    static void turn(materialPoint& p, const polyMesh& mesh, const label facei)
+    {
+        const polyBoundaryMesh& patches = mesh.boundaryMesh();
+        const coupledPolyPatch& pp =
+            refCast<const coupledPolyPatch>(patches[patches.whichPatch(facei)]);
+
+        if (!pp.parallel())
+        {
+            const tensorField& T = pp.forwardT();
+            p.transformProperties(T[T.size() == 1 ? 0 : pp.whichFace(facei)]);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalarList Foam::pointPopulation::halve
+(
+    const materialPointCloud& cloud,
+    materialPoint& p
+)
+{
+    p.volume() *= 0.5;
+    cloud.properties().split(p);
+
+    return p.handsOn();
+}
+
 
 Foam::materialPoint* Foam::pointPopulation::split
 (
@@ -36,11 +70,9 @@ Foam::materialPoint* Foam::pointPopulation::split
     const label celli
 ) const
 {
-    p.volume() *= 0.5;
-
     materialPoint* added = new materialPoint
     (
-        mesh_, position, celli, p.material(), p.dye(), p.volume()
+        mesh_, position, celli, halve(cloud, p)
     );
     cloud.addParticle(added);
 
@@ -132,8 +164,11 @@ void Foam::pointPopulation::fillAcross
     }
 
     // Their largest points give half of their volume
-    labelList material(nBoundary, Zero), dye(nBoundary, Zero);
-    scalarList volume(nBoundary, Zero);
+    List<scalarList> numbers
+    (
+        materialPoint::nOwnNumbers + cloud.properties().nValues(),
+        scalarList(nBoundary, Zero)
+    );
     forAll(asked, b)
     {
         // Also the faces of this side that ask have no point to give
@@ -150,29 +185,35 @@ void Foam::pointPopulation::fillAcross
                 largest = p;
             }
         }
-        largest->volume() *= 0.5;
-        volume[b] = largest->volume();
-        material[b] = largest->material();
-        dye[b] = largest->dye();
+        const scalarList given(halve(cloud, *largest));
+        forAll(given, k)
+        {
+            numbers[k][b] = given[k];
+        }
     }
 
-    syncTools::swapBoundaryFaceList(mesh_, material);
-    syncTools::swapBoundaryFaceList(mesh_, dye);
-    syncTools::swapBoundaryFaceList(mesh_, volume);
+    for (scalarList& each : numbers)
+    {
+        syncTools::swapBoundaryFaceList(mesh_, each);
+    }
 
     forAll(faceOf, celli)
     {
         if (faceOf[celli] >= 0)
         {
-            const label b = faceOf[celli] - first;
-            cloud.addParticle
+            const label facei = faceOf[celli];
+            scalarList given(numbers.size());
+            forAll(given, k)
+            {
+                given[k] = numbers[k][facei - first];
+            }
+
+            materialPoint* added = new materialPoint
             (
-                new materialPoint
-                (
-                    mesh_, mesh_.cellCentres()[celli], celli,
-                    material[b], dye[b], volume[b]
-                )
+                mesh_, mesh_.cellCentres()[celli], celli, given
             );
+            turn(*added, mesh_, facei);
+            cloud.addParticle(added);
             ++count[celli];
             ++nAdded;
         }
@@ -427,11 +468,13 @@ Foam::label Foam::pointPopulation::thin(materialPointCloud& cloud) const
                         p->material() == gone->material() ? p->volume() : 0;
                 }
             }
+            const scalar growth = 1 + gone->volume()/volume;
             for (materialPoint* p : rest)
             {
                 if (p->material() == gone->material())
                 {
-                    p->volume() *= 1 + gone->volume()/volume;
+                    p->volume() *= growth;
+                    cloud.properties().merge(*p, *gone, 1 - 1/growth);
                 }
             }
 

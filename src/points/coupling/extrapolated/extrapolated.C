@@ -88,6 +88,7 @@ Foam::flowCouplings::extrapolated::extrapolated
         ),
         dimensionedScalar(dimTime, Zero)
     ),
+    ahead_(0),
     UMid_(IOobject("UMid", U.time().timeName(), U.mesh()), UBefore_),
     phiMid_(IOobject("phiMid", U.time().timeName(), U.mesh()), phiBefore_)
 {}
@@ -97,11 +98,12 @@ Foam::flowCouplings::extrapolated::extrapolated
 
 void Foam::flowCouplings::extrapolated::update(const scalar dt)
 {
+    ahead_ = 0;
     if (dtBefore_.value() > 0)
     {
-        const scalar f = 0.5*dt/dtBefore_.value();
-        UMid_ == (1 + f)*U_ - f*UBefore_;
-        phiMid_ == (1 + f)*phi_ - f*phiBefore_;
+        ahead_ = 0.5*dt/dtBefore_.value();
+        UMid_ == (1 + ahead_)*U_ - ahead_*UBefore_;
+        phiMid_ == (1 + ahead_)*phi_ - ahead_*phiBefore_;
     }
     else
     {

@@ -202,13 +202,13 @@ void Foam::pointSeeding::seed(materialPointCloud& cloud) const
             const label r = region(p);
             const label m = regionMaterial_[r];
             ++nIn[r];
-            cloud.addParticle
+
+            materialPoint* seeded = new materialPoint
             (
-                new materialPoint
-                (
-                    mesh_, p, celli, m, dye(p, m), V[celli]/pointsPerCell_
-                )
+                mesh_, p, celli, m, dye(p, m), V[celli]/pointsPerCell_
             );
+            cloud.properties().start(*seeded);
+            cloud.addParticle(seeded);
         }
     }
 

@@ -1,0 +1,70 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+
+#include "accumulatedStrain.H"
+#include "materialPoint.H"
+#include "pointFlow.H"
+#include "addToRunTimeSelectionTable.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace pointProperties
+{
+    defineTypeNameAndDebug(accumulatedStrain, 0);
+    addToRunTimeSelectionTable(pointProperty, accumulatedStrain, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+void Foam::pointProperties::accumulatedStrain::step
+(
+    scalar& value,
+    const materialPoint& p,
+    const pointFlow& flow,
+    const scalar dt
+) const
+{
+    value += dt*sqrt(2*magSqr(dev(symm(flow.gradU()[p.cell()]))));
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pointProperties::accumulatedStrain::accumulatedStrain
+(
+    const word& name,
+    const dictionary& dict,
+    const fvMesh& mesh,
+    const label first
+)
+:
+    typedPointProperty<scalar>(name, dict, mesh, first, dimless)
+{}
+
+
+// ************************************************************************* //
