@@ -9,7 +9,7 @@ import subprocess
 import numpy as np
 import pytest
 
-from cosserat.box import Box, add_points
+from cosserat.scenes.box import Box, add_points
 from cosserat.case import Case, ROOT
 
 LIQUIDS = {"a": {"eta": 2, "etaC": 1, "R": 0.1, "rho": 1},
@@ -210,12 +210,8 @@ def test_case_from_anywhere(box, tmp_path, name, ranks):
     (case.path/"constant/triSurface/box.stl").write_text(prism(0.3, 0.4))
     (case.path/"constant/height.dat").write_text("((-1 0.1) (1 0.1))")
     command = ["cosseratPicFoam", "-case", str(case.path), "-solveOnce"]
+    case.decompose(ranks)
     if ranks > 1:
-        (case.path/"system/decomposeParDict").write_text(
-            "FoamFile { version 2.0; format ascii; class dictionary;"
-            " object d; }\nnumberOfSubdomains 2; method simple;"
-            " simpleCoeffs { n (2 1 1); delta 1e-3; }")
-        case.run("decomposePar")
         command = ["mpirun", "-np", "2", *command, "-parallel"]
     done = subprocess.run(command, cwd=tmp_path, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, check=False)
@@ -255,11 +251,7 @@ def test_files_are_told_once_by_two_ranks(lid):
     case = lid()
     shutil.copy(case.path/"constant/g", case.path/"constant/fvOptions")
     shutil.copy(case.path/"0/p_rgh", case.path/"0/T")
-    (case.path/"system/decomposeParDict").write_text(
-        "FoamFile { version 2.0; format ascii; class dictionary;"
-        " object d; }\nnumberOfSubdomains 2; method simple;"
-        " simpleCoeffs { n (2 1 1); delta 1e-3; }")
-    case.run("decomposePar")
+    case.decompose(2)
     log = case.run("cosseratPicFoam", ranks=2).stdout
     for file in ("constant/fvOptions:", "    0/T\n"):
         assert log.count(file) == 1, file

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cosserat.box import Box, add_points
+from cosserat.scenes.box import Box, add_points
 
 BLOCK = {"heavy": {"eta": 10, "etaC": 10, "R": 0.1, "rho": 10},
          "light": {"eta": 1, "etaC": 0, "R": 0, "rho": 1}}

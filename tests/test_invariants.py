@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cosserat.box import Annulus
+from cosserat.scenes.box import Annulus
 from cosserat.case import residuals
 
 GRANULAR = {"eta": 3, "etaC": 5, "R": 0.2}

@@ -7,10 +7,7 @@ import pytest
 
 from cosserat.case import Case, TUTORIALS, residuals
 from cosserat.picture import outflow
-from cosserat.silo import mesh_entries
-
-#: Cells along the blocks at half the resolution of the tutorial
-COARSE = mesh_entries(4)
+from cosserat.scenes.silo import COARSE
 
 
 @pytest.fixture(name="discharges", scope="module")

@@ -6,8 +6,8 @@ import re
 
 import numpy as np
 import pytest
-from studies import tradeOff
 
+from cosserat import exploration
 from cosserat.case import FILES, ROOT, TUTORIALS, Case
 from cosserat.tradeoff import extrapolate, front, refine, restrict
 
@@ -112,9 +112,7 @@ def test_trade_off_of_a_case(tmp_path, monkeypatch, capsys):
     case.substitute(FILES["control"], {"endTime": 1e-6, "deltaT": 1e-6})
     before = sorted(case.path.rglob("*"))
     monkeypatch.setenv("COSSERATPIC_CALLER", str(tmp_path))
-    monkeypatch.setattr(tradeOff, "HERE", tmp_path)
-    monkeypatch.setattr("studies.common.RESULTS", tmp_path/"results")
-    tradeOff.main(["-case", "mine", "-points", "4"])
+    exploration.main(["-case", "mine", "-points", "4"], "x", tmp_path)
     assert sorted(case.path.rglob("*")) == before
     rows = json.loads((tmp_path/"results/tradeOff.json").read_text())["rows"]
     assert [row["nCells"] for row in rows] == [64, 256, 1024, 256]

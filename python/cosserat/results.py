@@ -50,3 +50,13 @@ def balance(case):
     """Integral of the field dissipation over the power supplied, less 1."""
     dissipated = case.field("dissipation") @ case.volumes()
     return float(dissipated/DEPTH/power(case) - 1)
+
+
+def add_orders(rows, *keys):
+    """Add to each row the order of convergence of its errors from the row
+    before, on half its cells: orderU of errU; None in the first."""
+    for coarse, fine in zip([None] + rows[:-1], rows):
+        for key in keys:
+            fine[f"order{key}"] = (
+                float(np.log2(coarse[f"err{key}"]/fine[f"err{key}"]))
+                if coarse else None)

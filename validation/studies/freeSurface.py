@@ -11,9 +11,8 @@ import numpy as np
 
 from cosserat.case import RunError
 from cosserat.picture import outflow
+from cosserat.scenes.silo import VOLUME, mesh_entries
 from studies.common import new_case, save
-from cosserat.silo import mesh_entries
-from studies.siloDischarge import VOLUME
 
 THETAS = [0, 0.5, 1]
 

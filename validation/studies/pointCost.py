@@ -5,8 +5,8 @@ import re
 
 import matplotlib.pyplot as plt
 
+from cosserat.scenes.rayleighTaylor import scene
 from studies.common import HERE, save
-from studies.rayleighTaylor import scene
 
 RATIOS = (1, 0.01)
 

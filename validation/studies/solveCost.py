@@ -5,8 +5,8 @@ import re
 
 import matplotlib.pyplot as plt
 
+from cosserat.scenes.block import DEFAULT, block
 from studies.common import HERE, cell_ticks, save
-from studies.extremes import DEFAULT, block
 
 CELLS = [64, 128, 256, 512]
 
