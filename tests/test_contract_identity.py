@@ -15,17 +15,6 @@ LIQUIDS = {"a": {"eta": 1, "etaC": 0, "R": 0, "rho": 2},
 REGIONS = ("{ type all; material b; } { type disc; material a;"
            " centre (0.1 0.2 0); radius 0.2; }")
 
-TRACERS = """
-functions
-{
-    followed
-    {
-        type            pointTracers;
-        libs            (cosseratFunctionObjects);
-        places          (%s);
-    }
-"""
-
 
 def law(eta, rho):
     """A material of the box, as text."""
@@ -63,12 +52,9 @@ def scene_fixture(box):
 
 
 def follow(case, places):
-    """Follow the points of these places."""
-    path = case.path/"system/controlDict"
-    before = path.read_text().split("\nfunctions\n{")
-    rest = before[1].split("power", 1)[1]
+    """Follow the points of these places, and of no others."""
     text = " ".join(f"({x} {y} 0)" for x, y in places)
-    path.write_text(before[0] + TRACERS % text + "power" + rest)
+    case.measure("followed", "pointTracers", f"places ({text});")
 
 
 

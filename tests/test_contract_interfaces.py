@@ -27,10 +27,7 @@ def run_fixture(box):
                    fractions=lambda x, y: x < 0)
         if points:
             add_points(case, REGIONS, DYE, pointsPerCell=4)
-        path = case.path/"system/controlDict"
-        path.write_text(path.read_text().replace(
-            "writeControl writeTime; }\n}",
-            f"writeControl writeTime; }}\n{functions}\n}}"))
+        case.override("control", functions=f"{{ {functions} }}")
         case.substitute("system/controlDict", {
             "endTime": 0.2, "deltaT": deltaT,
             "writeInterval": round(0.2/deltaT)})

@@ -67,10 +67,8 @@ def scene_fixture(tmp_path_factory):
         case = Box(tmp_path_factory.mktemp("p")/"case", n=8, g=(0, -1, 0),
                    materials=LIQUIDS, fractions=lambda x, y: x < 0).write()
         add_points(case, REGIONS, DYE, pointsPerCell=9)
-        path = case.path/"system/controlDict"
-        path.write_text(path.read_text().replace(
-            "writeFormat         ascii;", f"writeFormat {format};"
-            f" writeCompression {compression};"))
+        case.override("control", writeFormat=format,
+                      writeCompression=compression)
         turn(case, plane)
         case.run("blockMesh")
         if handler:

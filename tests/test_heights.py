@@ -92,11 +92,8 @@ def test_points_and_tracers_move_alike(box, dx, dy, scale):
         case.substitute("system/controlDict", {
             "endTime": 20, "deltaT": 1, "writeInterval": 20})
         tracer = warp(0.11, -0.22)
-        path = case.path/"system/controlDict"
-        path.write_text(path.read_text().replace(
-            "functions\n{", "functions\n{ tracers { type pointTracers;"
-            " libs (cosseratFunctionObjects);"
-            f" places (({tracer[0]!r} {tracer[1]!r} 0)); }}"))
+        case.measure("tracers", "pointTracers",
+                     f"places (({tracer[0]!r} {tracer[1]!r} 0));")
         case.run("cosseratPicFoam")
         xy = case.cloud("positions")[np.argsort(case.cloud("origId")), :2]
         rows = case.table("tracers", "tracer0.dat")[:, 1:3]

@@ -59,6 +59,7 @@ def test_first_steps(tmp_path, name, block):
     if block != "automatic":
         parts.override("solution", creepingFlow=f"{{ maxIter 300;"
                        f" preconditioner {{ block {block}; }} }}")
+    # By the dictionary of the tutorial
     parts.substitute("system/decomposeParDict", {"numberOfSubdomains": 2})
     parts.run("decomposePar", "-latestTime")
     parts.run("cosseratPicFoam", ranks=2)

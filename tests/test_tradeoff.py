@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from cosserat import exploration
-from cosserat.case import FILES, ROOT, TUTORIALS, Case
+from cosserat.case import FILES, ROOT, TUTORIALS, Case, worst_residual
+from cosserat.scenes.box import count
 from cosserat.tradeoff import extrapolate, front, refine, restrict
 
 PRESETS = sorted(d.name for d in (ROOT/"etc/presets").iterdir())
@@ -70,6 +71,7 @@ def with_preset(path, preset):
             "n ${cells.${preset}};", mesh.read_text(), flags=re.M))
     else:
         case.substitute(FILES["mesh"], {"n": 16})
+    count(case)
     case.run("blockMesh")
     case.run("cosseratPicFoam")
     return case
@@ -89,7 +91,10 @@ def test_preset_runs(tmp_path, preset):
     n = {"fast": 8, "balanced": 16, "accurate": 32}[preset]
     log = case.log()
     assert case.n_cells() == n*n
-    assert f"{n*n*int(value(preset, 'points', 'pointsPerCell'))} seeded" in log
+    seeded = case.table("points", "pointStatistics.dat")[0]
+    assert seeded[1] - seeded[10] + seeded[11] == (
+        n*n*int(value(preset, "points", "pointsPerCell")))
+    assert worst_residual(log) <= float(value(preset, "flow", "tolerance"))
     assert re.search(rf"integration {value(preset, 'points', 'integration')},",
                      log)
     assert float(re.search(r"tolerance (\S+),", log)[1]) == float(

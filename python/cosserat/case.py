@@ -345,6 +345,11 @@ def residuals(log):
             for field, initial, final, n in re.findall(pattern, log)]
 
 
+def worst_residual(log):
+    """Largest final residual of all solves in a log."""
+    return max(row[2] for row in residuals(log))
+
+
 def cpu_seconds(log):
     """Processor time of a run [s]."""
     return float(re.findall(r"ExecutionTime = (\S+) s", log)[-1])

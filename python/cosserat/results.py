@@ -46,6 +46,14 @@ def power(case):
     return (row[1] + row[2])/DEPTH
 
 
+def pressure_work(case):
+    """Work of the discrete pressure over what gravity and walls supply, at
+    each time: an error of the discretisation where B is infinite. (That all
+    terms together balance is an identity of the discrete system.)"""
+    _, gravity, walls, pressure, *_ = case.table("power", "powerBalance.dat").T
+    return pressure/(gravity + walls)
+
+
 def balance(case):
     """Integral of the field dissipation over the power supplied, less 1."""
     dissipated = case.field("dissipation") @ case.volumes()
