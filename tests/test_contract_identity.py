@@ -57,8 +57,6 @@ def follow(case, places):
     case.measure("followed", "pointTracers", f"places ({text});")
 
 
-
-
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("order", [
     {"b": (3, 1), "a": (1, 2)}, {"air": (1, 0), "a": (1, 2), "b": (3, 1)},

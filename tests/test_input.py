@@ -253,6 +253,7 @@ MISTAKES = {
                             ["noSuchType", "zeroGradient", "p_rgh"]),
 }
 
+
 def state(case):
     """Contents of all files of the case but logs."""
     return {p: p.read_bytes() for p in sorted(case.path.rglob("*"))

@@ -1,7 +1,6 @@
 """Effectivity of the function object errorEstimate: estimated error over true
 error, where the true one is known or by finite elements."""
 
-
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -1,7 +1,6 @@
 """The flow solve at the extremes of its parameters: a heavy block with its
 edges through cells, the silo at rest, the shear layer."""
 
-
 import matplotlib.pyplot as plt
 
 from cosserat.analytic import Material, ShearLayer, err

@@ -29,8 +29,8 @@ def run(theta, courant, cells=4, end=END):
     case.substitute("system/controlDict", {
         "maxCo": courant, "endTime": end, "writeInterval": end,
         "deltaT": 2e-6*courant})
-    case.substitute("system/fvSolution", {
-        "tolerance": f"1e-6; freeSurfaceStabilisation {theta}"})
+    case.override("solution", creepingFlow="{ tolerance 1e-6;"
+                  f" freeSurfaceStabilisation {theta}; }}")
     case.run("blockMesh")
     why = ""
     try:

@@ -2,7 +2,6 @@
 again until they come to their end: does that end equal the one of the run that
 was left alone, and is every time that a kill has left half written told?"""
 
-
 from cosserat.scenes.kills import compare
 from studies.common import HERE
 

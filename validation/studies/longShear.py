@@ -1,7 +1,6 @@
 """The shear layer over a thousand steps and a shear of fifty (the paper's
 Figure 3): errors, dye bands, points per cell."""
 
-
 import matplotlib.pyplot as plt
 
 from cosserat.case import Case

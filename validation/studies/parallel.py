@@ -28,10 +28,8 @@ def run(method, ranks, block="automatic", cells=4):
     case.substitute("system/controlDict", {
         "endTime": 2e-4, "deltaT": 1e-5, "adjustTimeStep": "no",
         "writeInterval": 2e-4, "writePrecision": 17})
-    path = case.path/"system/fvSolution"
-    path.write_text(re.sub(
-        r"tolerance .*", f"tolerance 1e-10; preconditioner {{ block {block}; }}",
-        path.read_text()))
+    case.override("solution", creepingFlow=f"{{ tolerance 1e-10;"
+                  f" preconditioner {{ block {block}; }} }}")
     case.run("blockMesh")
     if ranks > 1:
         nx, ny = PARTS[ranks]

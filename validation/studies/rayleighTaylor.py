@@ -7,7 +7,6 @@ The viscosity of cut cells is the harmonic mean: the interface is sheared along
 itself. On 32 x 32 cells at ratio 0.01 it has the peak at 1.44e-2 at 50, the
 geometric mean 1.23e-2 at 54, the arithmetic one 1.10e-2 at 58."""
 
-
 import matplotlib.pyplot as plt
 
 from cosserat.picture import snapshot

@@ -86,4 +86,5 @@ def run_layer(path, material, n, walls=None, G=None, tolerance=1e-10,
         "cpu": cpu_seconds(case.log()),
     }
 
+
 PAPER = Material(1.0, 1.0, 0.3)

@@ -31,6 +31,7 @@ def _sector(x, y):
     angle = (y + 0.5)*np.pi/2
     return (1.5 + x)*np.cos(angle), (1.5 + x)*np.sin(angle)
 
+
 #: mesh: (coordinates that follow the walls, parameters of Box)
 MESHES = {
     "uniform": (UNIT, {}),

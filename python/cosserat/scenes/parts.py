@@ -18,13 +18,6 @@ def control(case, **entries):
     case.substitute("system/controlDict", entries)
 
 
-def creeping_flow(case, text):
-    """Add entries to creepingFlow."""
-    path = case.path/"system/fvSolution"
-    path.write_text(re.sub(r"(creepingFlow\s*\{)", rf"\1\n    {text}",
-                           path.read_text()))
-
-
 def sinking(path, n=CELLS, **given):
     """The block of 'extremes', one solve."""
     return block(path, **{**DEFAULT, "n": n, **given}, tolerance=1e-8)
@@ -61,6 +54,7 @@ def still(path, n=CELLS):
     control(case, endTime=STEPS, writeInterval=STEPS)
     return case
 
+
 #: scene: (how it is made, what is switched off, what forces it on)
 SCENES = {
     "no etaC anywhere": (
@@ -90,7 +84,8 @@ def run(path, scene, n=CELLS, repeat=3):
         for forced in (False, True):
             case = make(path, n)
             if forced:
-                creeping_flow(case, f"forced ({off});")
+                case.override("solution",
+                              creepingFlow=f"{{ forced ({off}); }}")
             log = case.run("cosseratPicFoam").stdout
             seconds[forced] = min(step_seconds(log),
                                   seconds.get(forced, np.inf))

@@ -53,9 +53,7 @@ def own_case(path, cells, corners="default"):
     case.substitute("system/blockMeshDict", mesh_entries(cells))
     case.substitute("constant/materialProperties", {"alpha": 0, "etaC": 0})
     if corners != "default":
-        entry = case.path/"system/fvSolution"
-        entry.write_text(entry.read_text().replace(
-            "tolerance", f"corners {corners};\n    tolerance", 1))
+        case.override("solution", creepingFlow=f"{{ corners {corners}; }}")
     case.run("blockMesh")
     return case
 
@@ -65,17 +63,8 @@ def stop_at_rest(case, step):
     case.substitute("system/controlDict", {
         "endTime": step, "deltaT": step, "adjustTimeStep": "no",
         "writeControl": "timeStep", "writeInterval": 1})
-    path = case.path/"system/controlDict"
-    path.write_text(path.read_text().replace("functions\n{", """functions
-{
-    fluxes
-    {
-        type            writeObjects;
-        libs            (utilityFunctionObjects);
-        objects         (phi);
-        writeControl    writeTime;
-    }
-""", 1))
+    case.measure("fluxes", "writeObjects", "objects (phi);"
+                 " writeControl writeTime;", "utilityFunctionObjects")
 
 
 def cpu_by_time(log):

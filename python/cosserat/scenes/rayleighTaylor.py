@@ -74,16 +74,13 @@ seeding
 """)
     case.substitute("system/controlDict", {
         "endTime": end, "deltaT": max_step, "writeInterval": end/4})
-    path = case.path/"system/controlDict"
-    path.write_text(path.read_text().replace(
-        "writeControl        timeStep", "writeControl adjustableRunTime").replace(
-        "functions\n{", f"""adjustTimeStep yes; maxCo 0.2; maxDeltaT {max_step};
-functions
-{{
-    square {{ type magSqr; libs (fieldFunctionObjects); field U; log no;
-        writeControl writeTime; }}
-    mean {{ type volFieldValue; libs (fieldFunctionObjects); operation volAverage;
-        regionType all; fields (magSqr(U)); writeFields no; log no; }}"""))
+    case.override("control", writeControl="adjustableRunTime",
+                  adjustTimeStep="yes", maxCo=0.2, maxDeltaT=max_step)
+    case.measure("square", "magSqr", "field U; log no; writeControl writeTime;",
+                 "fieldFunctionObjects")
+    case.measure("mean", "volFieldValue", "operation volAverage;"
+                 " regionType all; fields (magSqr(U)); writeFields no; log no;",
+                 "fieldFunctionObjects")
     return case
 
 

@@ -55,9 +55,7 @@ def prepare(case, silo, cells, corners=True, tolerance=1e-8):
         "writeControl": "timeStep", "writeInterval": 1, "writePrecision": 12})
     case.substitute(FILES["solution"], {"tolerance": tolerance})
     if not corners:
-        path = case.path/FILES["solution"]
-        path.write_text(path.read_text().replace(
-            "tolerance", "corners         off;\n    tolerance", 1))
+        case.override("solution", creepingFlow="{ corners off; }")
 
     path = case.path/FILES["materials"]
     text = path.read_text()

@@ -4,28 +4,25 @@ A hopper with inflow and outflow, whose grains are replaced again and again,
 and a driven cavity of two materials; in both the population is kept in narrow
 limits, so that points are added and deleted."""
 
-import re
 import shutil
 
 import numpy as np
 
 from cosserat.case import fresh_case
-from cosserat.scenes.box import Box, add_points, count
+from cosserat.scenes.box import STILL, Box, add_points, count
 
 #: Points of a cell at the start
 SEEDED = 16
 
 LIMITS = {"minPointsPerCell": 8, "maxPointsPerCell": 20}
 
+
 def hopper(path, steps):
     """The tutorial's hopper on 8 x 12 cells, at a Courant number of 1/2."""
     case = fresh_case(path, "hopper")
     case.substitute("system/blockMeshDict", {
         "nx": 8, "nSpout": 2, "nCone": 6, "nBin": 4})
-    points = case.path/"constant/materialPointsProperties"
-    text = re.sub(r"minPointsPerCell.*;", "", points.read_text())
-    points.write_text(text + "".join(
-        f"{key} {value};\n" for key, value in LIMITS.items()))
+    case.override("points", **LIMITS)
     count(case)
     control(case, steps, 0.1)
     case.run("blockMesh")
@@ -36,11 +33,10 @@ def cavity(path, steps):
     """A driven cavity on 10 x 10 cells, a second material below, with
     velocities that gather points."""
     shutil.rmtree(path, ignore_errors=True)
-    still = ("type noSlip;", "type zeroGradient;")
     case = Box(path, n=10, tolerance=1e-6, materials={
         "a": {"eta": 1, "etaC": 0, "R": 0}, "b": {"eta": 3, "etaC": 1, "R": 0.1},
         }, fractions=lambda x, y: 0*x, walls={
-            "left": still, "right": still, "bottom": still,
+            "left": STILL, "right": STILL, "bottom": STILL,
             "top": ("type fixedValue; value uniform (1 0 0);",
                     "type zeroGradient;")}).write()
     add_points(case, "{ type all; material a; }"
@@ -49,19 +45,15 @@ def cavity(path, steps):
     control(case, steps, 0.05)
     return case
 
+
 SCENES = {"hopper": hopper, "cavity": cavity}
 
 
 def control(case, steps, deltaT):
-    """Steps of one length; all digits in the log."""
-    path = case.path/"system/controlDict"
-    path.write_text(re.sub(r"^(write|adjust)\w+\s.*\n", "", path.read_text(),
-                           flags=re.M) + f"""
-adjustTimeStep no; writeControl timeStep; writeInterval {steps};
-writePrecision 17;
-""")
-    case.substitute("system/controlDict", {
-        "deltaT": deltaT, "endTime": repr(steps*deltaT)})
+    """Steps of one length; all digits in the table."""
+    case.override("control", adjustTimeStep="no", writeControl="timeStep",
+                  writeInterval=steps, writePrecision=17, deltaT=deltaT,
+                  endTime=repr(steps*deltaT))
 
 
 def accounts(case):
