@@ -156,8 +156,7 @@ def test_code(lid, expected, name):
             [*other, "true"], stderr=subprocess.DEVNULL,
             check=False).returncode == 0:
         command = [*other, *command]
-    done = subprocess.run(command, cwd=case.path, text=True, check=False,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    done = case.run(*command, check=False)
     if os.geteuid() == 0 and command[0] != other[0]:
         assert "administrator rights" in done.stdout, done.stdout[-2000:]
         return
@@ -214,7 +213,8 @@ def test_case_from_anywhere(box, tmp_path, name, ranks):
     if ranks > 1:
         command = ["mpirun", "-np", "2", *command, "-parallel"]
     done = subprocess.run(command, cwd=tmp_path, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, check=False)
+                          stderr=subprocess.STDOUT, text=True, check=False,
+                          timeout=case.timeout)
     assert done.returncode == 0, done.stdout[-2000:]
     found = re.search(r"by points and on the mesh: a (\S+)", done.stdout)[1]
     assert float(found) == pytest.approx(share*0.1, rel=1e-9)

@@ -11,7 +11,7 @@ import subprocess
 import time
 from contextlib import suppress
 
-from cosserat.case import Case, fresh_case
+from cosserat.case import Case, RunError, fresh_case
 from cosserat.scenes.silo import mesh_entries
 
 SEED = 3
@@ -70,32 +70,47 @@ def kill(case, process):
             os.kill(pid, signal.SIGKILL)
 
 
+def run_and_kill(case, ranks, moment):
+    """Run a case, and kill it that time [s] after it has written two more
+    times (None: never); exit code and log."""
+    first = Case(parts(case, ranks)[0])
+    wanted = len(first.times()) + 2
+    latest = time.monotonic() + (case.timeout or float("inf"))
+    log = case.path/"log.cosseratPicFoam"
+    with log.open("w") as file, subprocess.Popen(
+            command(ranks), cwd=case.path, stdout=file,
+            stderr=subprocess.STDOUT) as process:
+        try:
+            if moment is not None:
+                # Some steps on, then at any moment of a step
+                while len(first.times()) < wanted and process.poll() is None:
+                    time.sleep(0.002)
+                    if time.monotonic() > latest:
+                        raise RunError(f"{case.path} does not get on")
+                time.sleep(moment)
+                if process.poll() is None:
+                    kill(case, process)
+            process.wait(case.timeout)
+        except (subprocess.TimeoutExpired, RunError):
+            kill(case, process)
+            raise
+    return process.returncode, log.read_text(errors="replace")
+
+
 def go_on(case, ranks, kills, chance):
     """Run a case to its end, killing it so often; times that were half
     written and deleted by hand, and the last log."""
-    first = Case(parts(case, ranks)[0])
     deleted = 0
     while True:
-        before = len(first.times())
-        with subprocess.Popen(
-                command(ranks), cwd=case.path, text=True,
-                stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
-            if kills:
-                # Some steps on, then at any moment of a step
-                while (len(first.times()) < before + 2
-                       and process.poll() is None):
-                    time.sleep(0.002)
-                time.sleep(chance.uniform(0, WINDOW))
-                if process.poll() is None:
-                    kill(case, process)
-                    kills -= 1
-            log = process.communicate()[0]
+        code, log = run_and_kill(
+            case, ranks, chance.uniform(0, WINDOW) if kills else None)
+        kills -= kills > 0 and code == -signal.SIGKILL
         if delete_last(case, ranks, log):
             deleted += 1
-        elif process.returncode == 0:
+        elif code == 0:
             return deleted, log
         else:
-            assert process.returncode == -signal.SIGKILL, log[-2000:]
+            assert code == -signal.SIGKILL, log[-2000:]
 
 
 def silo(path, steps):
