@@ -8,11 +8,10 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT/"python"))
-sys.path.insert(0, str(ROOT/"validation"))
 
 # pylint: disable=wrong-import-position
 from cosserat import case as cases
-from cosserat.box import Box
+from cosserat.scenes.box import Box
 
 cases.environment()
 

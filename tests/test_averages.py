@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from cosserat.box import add_points
-from studies import pointCoupling, rigidShear
-from studies.common import add_orders
+from cosserat.results import add_orders
+from cosserat.scenes import overturn, rigidShear
+from cosserat.scenes.box import add_points
 
 
 @pytest.mark.parametrize("average, order", [
@@ -65,12 +65,12 @@ def test_orders_of_coupling(tmp_path):
     flow and by 4 with an extrapolated one; solved at mid-step it is smaller
     still."""
     def run(coupling, steps):
-        return pointCoupling.run(tmp_path/f"{coupling}{steps}", coupling,
-                                 steps, n=16)
+        return overturn.run(tmp_path/f"{coupling}{steps}", coupling, steps,
+                            n=16)
 
     reference, _ = run("midpoint", 80)
     errors = {}
-    for coupling in pointCoupling.COUPLINGS:
+    for coupling in overturn.COUPLINGS:
         for steps in (5, 10):
             xy, log = run(coupling, steps)
             errors[coupling, steps] = np.sqrt(
@@ -81,7 +81,7 @@ def test_orders_of_coupling(tmp_path):
                 steps if coupling == "midpoint" else 0)
     print(errors)
     order = {coupling: np.log2(errors[coupling, 5]/errors[coupling, 10])
-             for coupling in pointCoupling.COUPLINGS}
+             for coupling in overturn.COUPLINGS}
     assert abs(order["frozen"] - 1) < 0.15
     assert abs(order["extrapolated"] - 2) < 0.3
     assert errors["extrapolated", 10] < 0.25*errors["frozen", 10]

@@ -83,9 +83,7 @@ def test_length_or_bending(box):
 def test_load(box):
     """The function object of the page runs, with its bins."""
     case = box(n=4, materials={"a": {**SAND, "rho": 5}}, g=(0, -2, 0))
-    path = case.path/"system/controlDict"
-    path.write_text(path.read_text().replace("functions\n{", "functions\n{"
-                                             + block("load")))
+    case.override("control", functions=f"{{ {block('load')} }}")
     case.run("cosseratPicFoam")
     assert case.table("load", "wallLoad.dat")[-1][2] == pytest.approx(-1)
     rows = np.loadtxt(case.path/"postProcessing/load/0/wallLoad_bins.dat")

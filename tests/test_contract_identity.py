@@ -6,7 +6,7 @@ import shutil
 import numpy as np
 import pytest
 
-from cosserat.box import add_points
+from cosserat.scenes.box import add_points
 from cosserat.case import RunError
 
 LIQUIDS = {"a": {"eta": 1, "etaC": 0, "R": 0, "rho": 2},
@@ -14,17 +14,6 @@ LIQUIDS = {"a": {"eta": 1, "etaC": 0, "R": 0, "rho": 2},
 
 REGIONS = ("{ type all; material b; } { type disc; material a;"
            " centre (0.1 0.2 0); radius 0.2; }")
-
-TRACERS = """
-functions
-{
-    followed
-    {
-        type            pointTracers;
-        libs            (cosseratFunctionObjects);
-        places          (%s);
-    }
-"""
 
 
 def law(eta, rho):
@@ -54,12 +43,7 @@ def scene_fixture(box):
             "startFrom": "latestTime", "endTime": 0.1, "deltaT": 0.1})
         if places:
             follow(case, places)
-        if ranks > 1:
-            (case.path/"system/decomposeParDict").write_text(
-                "FoamFile { version 2.0; format ascii; class dictionary;"
-                " object d; }\nnumberOfSubdomains 2; method simple;"
-                " simpleCoeffs { n (2 1 1); delta 1e-3; }")
-            case.run("decomposePar")
+        case.decompose(ranks)
         case.run("cosseratPicFoam", ranks=ranks)
         case.substitute("system/controlDict", {"endTime": 0.2})
         return case
@@ -68,14 +52,9 @@ def scene_fixture(box):
 
 
 def follow(case, places):
-    """Follow the points of these places."""
-    path = case.path/"system/controlDict"
-    before = path.read_text().split("\nfunctions\n{")
-    rest = before[1].split("power", 1)[1]
+    """Follow the points of these places, and of no others."""
     text = " ".join(f"({x} {y} 0)" for x, y in places)
-    path.write_text(before[0] + TRACERS % text + "power" + rest)
-
-
+    case.measure("followed", "pointTracers", f"places ({text});")
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
@@ -89,8 +68,7 @@ def test_materials_in_another_order(scene, ranks, order):
     materials(case, **order)
     for each in (whole, case):
         each.run("cosseratPicFoam", ranks=ranks)
-        if ranks > 1:
-            each.run("reconstructPar", "-latestTime")
+        each.reconstruct("-latestTime")
     assert np.allclose(case.field("U"), whole.field("U"), atol=1e-9)
     assert np.allclose(case.cloud("positions"), whole.cloud("positions"),
                        atol=1e-9)
@@ -122,7 +100,7 @@ def test_decomposed_and_reconstructed(scene):
     for folder in case.path.glob("processor*"):
         shutil.rmtree(folder)
     materials(case, b=(3, 1), a=(1, 2))
-    case.run("decomposePar", "-latestTime")
+    case.decompose(2)
     case.run("cosseratPicFoam", ranks=2)
     case.run("reconstructPar", "-latestTime")
     kinds = case.cloud("material").astype(int)

@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 import pytest
 
-from cosserat.box import add_points
+from cosserat.scenes.box import add_points
 
 LIQUIDS = {"a": {"eta": 1, "etaC": 0.5, "R": 0.2, "rho": 2},
            "b": {"eta": 3, "etaC": 1, "R": 0.1, "rho": 1}}
@@ -27,22 +27,13 @@ def run_fixture(box):
                    fractions=lambda x, y: x < 0)
         if points:
             add_points(case, REGIONS, DYE, pointsPerCell=4)
-        path = case.path/"system/controlDict"
-        path.write_text(path.read_text().replace(
-            "writeControl writeTime; }\n}",
-            f"writeControl writeTime; }}\n{functions}\n}}"))
+        case.override("control", functions=f"{{ {functions} }}")
         case.substitute("system/controlDict", {
             "endTime": 0.2, "deltaT": deltaT,
             "writeInterval": round(0.2/deltaT)})
-        if ranks > 1:
-            (case.path/"system/decomposeParDict").write_text(
-                "FoamFile { version 2.0; format ascii; class dictionary;"
-                " object d; }\nnumberOfSubdomains 2; method simple;"
-                " simpleCoeffs { n (2 1 1); delta 1e-3; }")
-            case.run("decomposePar")
+        case.decompose(ranks)
         done = case.run("cosseratPicFoam", ranks=ranks, check=check)
-        if ranks > 1:
-            case.run("reconstructPar")
+        case.reconstruct()
         return case, done
 
     return make

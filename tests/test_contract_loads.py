@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from cosserat import analytic
-from cosserat.box import add_points
-from test_silo import COARSE
+from cosserat.scenes.box import add_points
+from cosserat.scenes.silo import COARSE
 
 LIGHT = {"eta": 1, "etaC": 0, "R": 0, "rho": 3}
 HEAVY = {"eta": 40, "etaC": 40, "R": 0.1, "rho": 7}
@@ -19,19 +19,7 @@ HELD = {side: ("type noSlip;", "type fixedValue; value uniform 0;")
 
 def measure(case, entries="", name="load"):
     """Give a case the function object."""
-    path = case.path/"system/controlDict"
-    path.write_text(path.read_text().replace("functions\n{", "functions\n{"
-        f"\n{name} {{ type wallLoad; libs (cosseratFunctionObjects);"
-        f" {entries} }}", 1))
-
-
-def decompose(case):
-    """For two ranks."""
-    (case.path/"system/decomposeParDict").write_text(
-        "FoamFile { version 2.0; format ascii; class dictionary; object d; }\n"
-        "numberOfSubdomains 2; method simple; simpleCoeffs"
-        " { n (1 2 1); delta 1e-3; }")
-    case.run("decomposePar")
+    case.measure(name, "wallLoad", entries)
 
 
 def last(case, file="wallLoad", name="load"):
@@ -58,8 +46,7 @@ def test_walls_bear_the_weight_at_rest(box, scene, ranks):
         options["triangles"] = True
     case = box(**options)
     measure(case, "CofR (3000 0 0);" if scene == "offset" else "")
-    if ranks > 1:
-        decompose(case)
+    case.decompose(ranks, n="(1 2 1)")
     case.run("cosseratPicFoam", ranks=ranks)
 
     weight = 2.5*mass*DEPTH
@@ -114,8 +101,7 @@ def test_bins(box, ranks):
     case = box(n=8, materials={"light": LIGHT}, g=(0, -2, 0), walls=HELD,
                tolerance=1e-13)
     measure(case, "patches (left right); bins { direction (0 -3 0); nBin 4; }")
-    if ranks > 1:
-        decompose(case)
+    case.decompose(ranks, n="(1 2 1)")
     case.run("cosseratPicFoam", ranks=ranks)
     rows = np.loadtxt(case.path/"postProcessing/load/0/wallLoad_bins.dat")
     assert rows.shape == (4, 6)
@@ -180,8 +166,7 @@ def test_silo(tutorial, ranks):
     """The tutorial's walls bear the weight of its fill, with the part of the
     re-entrant corners that is not of a single wall."""
     case = tutorial("silo", mesh=COARSE, solution={"tolerance": 1e-9})
-    if ranks > 1:
-        decompose(case)
+    case.decompose(ranks, n="(1 2 1)")
     case.run("cosseratPicFoam", "-solveOnce", ranks=ranks)
     weight = 25*1e6*10*0.1
     force = last(case)[0]

@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from cosserat.box import add_points
+from cosserat.scenes.box import add_points
 
 LIQUIDS = {"a": {"eta": 1, "etaC": 0, "R": 0, "rho": 0},
            "b": {"eta": 10, "etaC": 10, "R": 0.1, "rho": 10}}
@@ -166,10 +166,6 @@ def test_on_two_ranks(block):
     """Each rank looks at its part."""
     case = block()
     layered(case, 2)
-    (case.path/"system/decomposeParDict").write_text(
-        "FoamFile { version 2.0; format ascii; class dictionary; object d; }\n"
-        "numberOfSubdomains 2; method simple; simpleCoeffs"
-        " { n (2 1 1); delta 1e-3; }")
-    case.run("decomposePar")
+    case.decompose(2)
     done = case.run("cosseratPicFoam", ranks=2, check=False)
     assert done.returncode and "not one layer" in done.stdout

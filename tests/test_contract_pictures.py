@@ -11,7 +11,7 @@ import pytest
 from matplotlib import pyplot
 
 from cosserat import picture, units
-from cosserat.box import add_points
+from cosserat.scenes.box import add_points
 from cosserat.case import Case
 
 LIQUIDS = {"air": {"eta": 1, "etaC": 0, "R": 0},
@@ -57,7 +57,7 @@ def turn(case, plane):
 @pytest.fixture(name="scene", scope="module")
 def scene_fixture(tmp_path_factory):
     """Function that makes a sinking block in a plane and a format, once."""
-    from cosserat.box import Box
+    from cosserat.scenes.box import Box
     made = {}
 
     def make(plane="xy", format="ascii", compression="off", handler=None):
@@ -67,24 +67,14 @@ def scene_fixture(tmp_path_factory):
         case = Box(tmp_path_factory.mktemp("p")/"case", n=8, g=(0, -1, 0),
                    materials=LIQUIDS, fractions=lambda x, y: x < 0).write()
         add_points(case, REGIONS, DYE, pointsPerCell=9)
-        path = case.path/"system/controlDict"
-        path.write_text(path.read_text().replace(
-            "writeFormat         ascii;", f"writeFormat {format};"
-            f" writeCompression {compression};"))
+        case.override("control", writeFormat=format,
+                      writeCompression=compression)
         turn(case, plane)
         case.run("blockMesh")
         if handler:
-            (case.path/"system/decomposeParDict").write_text(
-                "FoamFile { version 2.0; format ascii; class dictionary;"
-                " object d; }\nnumberOfSubdomains 2; method simple;"
-                " simpleCoeffs { n (2 1 1); delta 1e-3; }")
             os.environ["FOAM_FILEHANDLER"] = handler
         try:
-            if handler:
-                case.run("decomposePar")
-            case.run("cosseratPicFoam", ranks=2 if handler else 1)
-            if handler:
-                case.run("reconstructPar")
+            case.solve(2 if handler else 1)
         finally:
             os.environ.pop("FOAM_FILEHANDLER", None)
         made[key] = case

@@ -9,7 +9,7 @@ import subprocess
 import numpy as np
 import pytest
 
-from cosserat.box import Box, add_points
+from cosserat.scenes.box import Box, add_points
 from cosserat.case import Case, ROOT
 
 LIQUIDS = {"a": {"eta": 2, "etaC": 1, "R": 0.1, "rho": 1},
@@ -156,8 +156,7 @@ def test_code(lid, expected, name):
             [*other, "true"], stderr=subprocess.DEVNULL,
             check=False).returncode == 0:
         command = [*other, *command]
-    done = subprocess.run(command, cwd=case.path, text=True, check=False,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    done = case.run(*command, check=False)
     if os.geteuid() == 0 and command[0] != other[0]:
         assert "administrator rights" in done.stdout, done.stdout[-2000:]
         return
@@ -210,15 +209,12 @@ def test_case_from_anywhere(box, tmp_path, name, ranks):
     (case.path/"constant/triSurface/box.stl").write_text(prism(0.3, 0.4))
     (case.path/"constant/height.dat").write_text("((-1 0.1) (1 0.1))")
     command = ["cosseratPicFoam", "-case", str(case.path), "-solveOnce"]
+    case.decompose(ranks)
     if ranks > 1:
-        (case.path/"system/decomposeParDict").write_text(
-            "FoamFile { version 2.0; format ascii; class dictionary;"
-            " object d; }\nnumberOfSubdomains 2; method simple;"
-            " simpleCoeffs { n (2 1 1); delta 1e-3; }")
-        case.run("decomposePar")
         command = ["mpirun", "-np", "2", *command, "-parallel"]
     done = subprocess.run(command, cwd=tmp_path, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, check=False)
+                          stderr=subprocess.STDOUT, text=True, check=False,
+                          timeout=case.timeout)
     assert done.returncode == 0, done.stdout[-2000:]
     found = re.search(r"by points and on the mesh: a (\S+)", done.stdout)[1]
     assert float(found) == pytest.approx(share*0.1, rel=1e-9)
@@ -255,11 +251,7 @@ def test_files_are_told_once_by_two_ranks(lid):
     case = lid()
     shutil.copy(case.path/"constant/g", case.path/"constant/fvOptions")
     shutil.copy(case.path/"0/p_rgh", case.path/"0/T")
-    (case.path/"system/decomposeParDict").write_text(
-        "FoamFile { version 2.0; format ascii; class dictionary;"
-        " object d; }\nnumberOfSubdomains 2; method simple;"
-        " simpleCoeffs { n (2 1 1); delta 1e-3; }")
-    case.run("decomposePar")
+    case.decompose(2)
     log = case.run("cosseratPicFoam", ranks=2).stdout
     for file in ("constant/fvOptions:", "    0/T\n"):
         assert log.count(file) == 1, file

@@ -6,7 +6,7 @@ import shutil
 import numpy as np
 import pytest
 
-from cosserat.box import add_points
+from cosserat.scenes.box import add_points
 
 LIQUIDS = {"a": {"eta": 1, "etaC": 0, "R": 0, "rho": 2},
            "b": {"eta": 1, "etaC": 0, "R": 0, "rho": 1}}
@@ -121,15 +121,9 @@ def test_solve_once_on_two_ranks(box):
     for ranks in (1, 2):
         case = box(f"{ranks}", n=8, materials=LIQUIDS, g=(0, -1, 0),
                    fractions=lambda x, y: x < 0)
-        if ranks > 1:
-            (case.path/"system/decomposeParDict").write_text(
-                "FoamFile { version 2.0; format ascii; class dictionary;"
-                " object d; }\nnumberOfSubdomains 2; method simple;"
-                " simpleCoeffs { n (2 1 1); delta 1e-3; }")
-            case.run("decomposePar")
+        case.decompose(ranks)
         case.run("cosseratPicFoam", "-solveOnce", ranks=ranks)
-        if ranks > 1:
-            case.run("reconstructPar", "-withZero")
+        case.reconstruct("-withZero")
         fields.append(case.field("U", "0"))
     assert np.allclose(*fields, atol=1e-9) and np.abs(fields[0]).max() > 1e-3
 

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from cosserat.case import TUTORIALS, Case, residuals
-from cosserat.corner import QUADS, TRIANGLES, WedgeCase
+from cosserat.scenes.corner import QUADS, TRIANGLES, WedgeCase
 from cosserat.references import RELATIVES, SILO, SILO_SCENES
-from cosserat.relatives import SCENES as RELATIVE_SCENES
-from cosserat.relatives import RelativeCase, measure
-from cosserat.silo import prepare, rate
+from cosserat.scenes.relatives import SCENES as RELATIVE_SCENES
+from cosserat.scenes.relatives import RelativeCase, measure
+from cosserat.scenes.silo import prepare, rate
 from cosserat.wedge import exponents
 
 SLIP, HOLD, MIXED = (False, False), (True, True), (True, False)

@@ -8,28 +8,21 @@ import numpy as np
 import pytest
 
 from cosserat.case import FILES
-from studies import errorEstimate as study
+from cosserat.scenes import estimate as study
 
 
-@pytest.fixture(autouse=True)
-def runs_in_temporary_folders(monkeypatch, tmp_path):
-    """The study's cases."""
-    monkeypatch.setattr(study, "HERE", tmp_path)
-    monkeypatch.setattr("studies.common.HERE", tmp_path)
-
-
-def test_effectivity_annulus():
+def test_effectivity_annulus(tmp_path):
     """16 cells across: within 2 % of the measured 0.852 and 0.645."""
-    row = study.annulus(16)
+    row = study.annulus(tmp_path/"case", 16)
     assert row["effectivityU"] == pytest.approx(0.852, rel=0.02)
     assert row["effectivityOmega"] == pytest.approx(0.645, rel=0.02)
 
 
-def test_effectivity_and_order():
+def test_effectivity_and_order(tmp_path):
     """Manufactured solution on a wavy mesh: within 2 % of the measured
     effectivities, the order of the estimate is that of the error to 0.1."""
     coarse, fine = study.add_order(
-        [study.manufactured("wavy", n) for n in (24, 48)])
+        [study.manufactured(tmp_path/f"{n}", "wavy", n) for n in (24, 48)])
     for row, expected in ((coarse, (1.32, 0.978)), (fine, (1.39, 1.02))):
         found = row["effectivityU"], row["effectivityOmega"]
         assert found == pytest.approx(expected, rel=0.02)
@@ -38,17 +31,17 @@ def test_effectivity_and_order():
             fine[f"orderError{key}"], abs=0.1)
 
 
-def test_effectivity_inclusion():
+def test_effectivity_inclusion(tmp_path):
     """Surface in cut cells, 16 cells a side, against finite elements: within
     2 % of the measured 1.65 and 2.20."""
-    row = study.without_exact("inclusion", 16)
+    row = study.without_exact(tmp_path/"case", "inclusion", 16)
     assert row["effectivityU"] == pytest.approx(1.648, rel=0.02)
     assert row["effectivityOmega"] == pytest.approx(2.196, rel=0.02)
 
 
-def test_order_three():
+def test_order_three(tmp_path):
     """Shear layer: the measured order follows the third order of omega."""
-    row = study.layer("layer0.3", 24)
+    row = study.layer(tmp_path/"case", "layer0.3", 24)
     assert row["measuredOrderOmega"] > 2.7
     assert row["effectivityOmega"] == pytest.approx(1.14, rel=0.02)
 
@@ -69,16 +62,7 @@ def test_parallel(tutorial, name, method, etaC):
         study.switch_on(case)
         if etaC:
             case.substitute(FILES["materials"], {"etaC": etaC})
-        if ranks > 1:
-            (case.path/FILES["decomposition"]).write_text(f"""
-FoamFile {{ version 2.0; format ascii; class dictionary; object x; }}
-numberOfSubdomains {ranks}; method {method};
-coeffs {{ n (3 1 1); delta 0.001; }}
-""")
-            case.run("decomposePar")
-        case.run("cosseratPicFoam", ranks=ranks)
-        if ranks > 1:
-            case.run("reconstructPar", "-latestTime")
+        case.solve(ranks, method=method)
         tables.append(case.table("error", "errorEstimate.dat")[0, :10])
         fields.append(case.field("errorEstimate(U)"))
     assert tables[1] == pytest.approx(tables[0], rel=1e-4)

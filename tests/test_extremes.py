@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from cosserat.analytic import Material
-from studies.common import WALLS, run_layer
-from studies.extremes import DEFAULT, block, measure
-from studies.sceneCost import run as run_scene
+from cosserat.case import residuals
+from cosserat.scenes.block import DEFAULT, block, measure
+from cosserat.scenes.layers import WALLS, run_layer
+from cosserat.scenes.parts import run as run_scene
 
 #: parameters: (iterations to 1e-6 at most, solver)
 ROWS = [
@@ -46,18 +47,18 @@ def test_one_material_takes_as_many_iterations(tmp_path, coupling):
         given = {**DEFAULT, "contrast": 1, "coupling": coupling, "R": R,
                  "n": 24}
         case = block(tmp_path/f"R{R}", **given, tolerance=1e-6)
-        case.substitute("system/fvSolution", {
-            "notConverged": "error; preconditioner { block direct; }"})
+        case.override("solution", creepingFlow="{ preconditioner"
+                      " { block direct; } }")
         assert measure(case, "block", given)["iterations"] <= 17
 
 
-def test_no_locking():
+def test_no_locking(tmp_path):
     """etaC/eta = 1000 and R -> 0: the classical flow, where a compact form
     is off by a third."""
     # The hyperbolic functions of its boundary layer overflow, and are not used
     with np.errstate(all="ignore"):
-        case, _, row = run_layer("tests", "locking", Material(1.0, 1e3, 1e-6),
-                                 64, WALLS["OmegaSigma"], tolerance=1e-8)
+        case, _, row = run_layer(tmp_path/"case", Material(1.0, 1e3, 1e-6), 64,
+                                 WALLS["OmegaSigma"], tolerance=1e-8)
     y = case.centres()[:, 1]
     u = case.field("U")[:, 0]
     assert np.abs(u - y).max() < 1e-5
@@ -69,7 +70,7 @@ def test_steady_scene_is_solved_once(tutorial):
     case = tutorial("shearLayer", control={"endTime": 1e6,
                                            "writeInterval": 1e6})
     case.run("cosseratPicFoam")
-    solves = [int(n) for n in re.findall(r"No Iterations (\d+)", case.log())]
+    solves = [row[3] for row in residuals(case.log())]
     assert solves[0] > 0 and len(solves) > 100
     assert not any(solves[3:])
 
@@ -79,9 +80,9 @@ def test_steady_scene_is_solved_once(tutorial):
     ("no density anywhere", ["gravity"]),
     ("two materials at rest; steady", ["matrices"]),
 ])
-def test_part_left_out(scene, parts):
+def test_part_left_out(tmp_path, scene, parts):
     """What a scene does not need changes nothing if forced on."""
-    row = run_scene(scene, n=16, repeat=1)
+    row = run_scene(tmp_path/"case", scene, n=16, repeat=1)
     assert row["off"].split() == parts
     assert row["difference"] < 1e-12
     assert row["iterations"] == row["iterationsForced"]
@@ -102,7 +103,7 @@ def test_not_converged_names_cause_and_cure(tmp_path, mesh, aspect, angle):
     """The message of a flow that does not converge."""
     given = {**DEFAULT, "n": 16, **mesh}
     case = block(tmp_path/"case", **given, tolerance=1e-6)
-    case.substitute("system/fvSolution", {"tolerance": "1e-6; maxIter 5"})
+    case.override("solution", creepingFlow="{ maxIter 5; }")
     row = measure(case, "block", given)
     assert not row["converged"]
     found = re.search(r"etaC/eta (\S+), largest jump of eta between cells (\S+)"

@@ -6,10 +6,11 @@ import pytest
 from cosserat.analytic import (
     AnnularCouette, GravityChannel, Material, ShearLayer, SolCx)
 from cosserat.references import RELATIVES, SILO, SILO_SCENES, Silo
-from cosserat.relatives import SCENES, RelativeCase, measure
-from finiteElements import Flow, Mesh, Wall, between, graded_lines, lines
-from finiteElements.relatives import relative_values
-from finiteElements.silo import silo_rate
+from cosserat.scenes.relatives import SCENES, RelativeCase, measure
+from cosserat.finiteElements import (Flow, Mesh, Wall, between, graded_lines,
+                                     lines)
+from cosserat.finiteElements.relatives import relative_values
+from cosserat.finiteElements.silo import silo_rate
 
 MATERIAL = Material(1.0, 2.0, 0.2)
 

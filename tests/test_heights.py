@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cosserat.box import Box, add_points
+from cosserat.scenes.box import Box, add_points
 
 BLOCK = {"heavy": {"eta": 10, "etaC": 10, "R": 0.1, "rho": 10},
          "light": {"eta": 1, "etaC": 0, "R": 0, "rho": 1}}
@@ -92,11 +92,8 @@ def test_points_and_tracers_move_alike(box, dx, dy, scale):
         case.substitute("system/controlDict", {
             "endTime": 20, "deltaT": 1, "writeInterval": 20})
         tracer = warp(0.11, -0.22)
-        path = case.path/"system/controlDict"
-        path.write_text(path.read_text().replace(
-            "functions\n{", "functions\n{ tracers { type pointTracers;"
-            " libs (cosseratFunctionObjects);"
-            f" places (({tracer[0]!r} {tracer[1]!r} 0)); }}"))
+        case.measure("tracers", "pointTracers",
+                     f"places (({tracer[0]!r} {tracer[1]!r} 0));")
         case.run("cosseratPicFoam")
         xy = case.cloud("positions")[np.argsort(case.cloud("origId")), :2]
         rows = case.table("tracers", "tracer0.dat")[:, 1:3]

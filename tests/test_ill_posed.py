@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from cosserat.box import Annulus
+from cosserat.scenes.box import Annulus
 
 HEAVY = {"a": {"eta": 1, "etaC": 1, "R": 0.1, "rho": 2}}
 

@@ -2,11 +2,10 @@
 was found and what is allowed; nothing of the case is changed."""
 
 import re
-import shutil
 
 import pytest
 
-from cosserat.box import add_points
+from cosserat.scenes.box import add_points
 from cosserat.case import TUTORIALS
 
 MATERIALS = "constant/materialProperties"
@@ -276,6 +275,7 @@ MISTAKES = {
                             ["noSuchType", "zeroGradient", "p_rgh"]),
 }
 
+
 def state(case):
     """Contents of all files of the case but logs."""
     return {p: p.read_bytes() for p in sorted(case.path.rglob("*"))
@@ -287,7 +287,7 @@ def state(case):
 def silo_fixture(tmp_path_factory):
     """A meshed silo, coarse."""
     from cosserat.case import Case
-    from test_silo import COARSE
+    from cosserat.scenes.silo import COARSE
     case = Case.copy(TUTORIALS/"silo", tmp_path_factory.mktemp("input")/"case")
     case.substitute("system/blockMeshDict", COARSE)
     case.substitute("system/controlDict", {"endTime": 1e-6, "deltaT": 1e-6,
@@ -432,8 +432,7 @@ def test_missing_field(box):
 def test_decomposed_for_other_ranks(box):
     """More ranks than parts of the case."""
     case = box(materials={"a": {"eta": 1, "etaC": 1, "R": .1}})
-    shutil.copy(TUTORIALS/"silo/system/decomposeParDict", case.path/"system")
-    case.run("decomposePar")
+    case.decompose(2)
     done = case.run("cosseratPicFoam", ranks=3, check=False)
     assert done.returncode and "processor" in done.stdout
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cosserat.box import Annulus
+from cosserat.scenes.box import Annulus
 from cosserat.case import residuals
 
 GRANULAR = {"eta": 3, "etaC": 5, "R": 0.2}
@@ -75,8 +75,9 @@ def stirred(box, target="case", **parameters):
 
 
 def test_power_balance(box):
-    """Supplied is dissipated to the tolerance of the solver; the integral
-    over the cell gradients agrees to second order."""
+    """Supplied is dissipated to the tolerance of the solver, which its
+    summation by parts makes an identity; the integral over the cell gradients,
+    which is independent, agrees to second order."""
     errors = []
     for n in (16, 32):
         case = box(f"n{n}", n=n, materials={"a": GRANULAR},
@@ -95,7 +96,8 @@ def test_power_balance(box):
 
 
 def test_power_balance_gravity(box):
-    """The same with gravity and a blob; the pressure does little work."""
+    """The same with gravity and a blob; the pressure's work, an error, is a
+    three hundredth of the supply (measured: -0.28 and -0.27 %)."""
     work = []
     for n in (16, 32):
         case = stirred(box, f"n{n}", n=n)
@@ -105,7 +107,7 @@ def test_power_balance_gravity(box):
         assert abs(imbalance) < 1e-8
         assert np.isclose(gravity + pressure, viscous + bending, rtol=1e-8)
         work.append(abs(pressure)/gravity)
-    assert work[1] < work[0] < 0.4
+    assert work[1] < work[0] < 3e-3
 
 
 def test_power_balance_on_triangles(box):

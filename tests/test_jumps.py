@@ -1,15 +1,16 @@
-"""Stiff against soft: the references of cosserat.jumps from their own sources
-on coarse meshes, and that its scenes are those that the references are of."""
+"""Stiff against soft: the references of cosserat.scenes.jumps from their own
+sources on coarse meshes, and that its scenes are those that the references are
+of."""
 
 import numpy as np
 import pytest
 
-from cosserat import bodies, jumps, regions
+from cosserat.scenes import bodies, jumps, regions
 from cosserat.analytic import (GravityChannel, Layers, Material, ShearLayer,
                                SolCx)
 from cosserat.references import JUMPS
-from finiteElements import jumps as elements
-from staggered import Staggered, block, in_series
+from cosserat.finiteElements import jumps as elements
+from cosserat.staggered import Staggered, block, in_series
 
 
 @pytest.mark.parametrize("jump, order", [(1.0, 1.9), (1e6, 1.8)])

@@ -10,7 +10,7 @@ import pytest
 from cosserat.analytic import (GravityChannel, Material, ShearLayer, err,
                                granular_contact)
 from cosserat.case import residuals
-from studies import longShear
+from cosserat.scenes import longShear
 
 ETA, ETAC, _ = granular_contact(0, 4, 1e11, 1e11)
 MATERIAL = Material(ETA, ETAC, 0.3)

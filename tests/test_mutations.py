@@ -2,7 +2,7 @@
 
 from collections import Counter
 
-from studies.mutations import sweep
+from cosserat.scenes.mutations import sweep
 
 
 def test_mutations(tmp_path):

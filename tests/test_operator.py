@@ -4,7 +4,7 @@ where a body is."""
 import numpy as np
 import pytest
 
-from cosserat.box import Box
+from cosserat.scenes.box import Box
 from cosserat.case import residuals
 
 HELD = {side: ("type noSlip;", "type fixedValue; value uniform 0;")

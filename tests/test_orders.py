@@ -7,8 +7,8 @@ import pytest
 
 from cosserat.analytic import SolCx
 from cosserat.case import residuals
-from studies.common import add_orders
-from studies.manufactured import MESHES, run
+from cosserat.results import add_orders
+from cosserat.scenes.manufactured import MESHES, run
 
 #: mesh: errors of u, omega, p at 24 cells
 MANUFACTURED = {

@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from cosserat.box import Annulus
+from cosserat.scenes.box import Annulus
 from cosserat.case import ROOT
 
 ONE = {"a": {"eta": 1, "etaC": 1, "R": 0.1}}
@@ -29,7 +29,7 @@ OWN = {"tangentialTraction", "coupleTraction"}
 @pytest.fixture(name="listed", scope="module")
 def listed_fixture(tmp_path_factory):
     """What the solver makes of each type: dict of (field, type): meaning."""
-    from cosserat.box import Box
+    from cosserat.scenes.box import Box
     case = Box(tmp_path_factory.mktemp("list")/"case", n=2,
                materials=ONE).write()
     text = case.run("Test-patchFields").stdout
@@ -346,11 +346,7 @@ def test_jump_is_not_lost_between_processors(box):
                materials=ONE)
     entry = "type fixedJump; patchType cyclic; jump uniform 1; value uniform 0;"
     cyclic_entries(case, entry, entry)
-    (case.path/"system/decomposeParDict").write_text(
-        "FoamFile { version 2.0; format ascii; class dictionary; object x; }\n"
-        "numberOfSubdomains 2; method simple;\n"
-        "simpleCoeffs { n (2 1 1); delta 0.001; }\n")
-    case.run("decomposePar")
+    case.decompose(2)
     done = case.run("cosseratPicFoam", ranks=2, check=False)
     assert done.returncode and "preservePatches" in done.stdout
 

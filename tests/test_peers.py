@@ -4,7 +4,8 @@ read from logs, and interFoam's silo on coarse cells."""
 import shutil
 
 import pytest
-from studies import peers
+
+from cosserat.scenes import peers, silo
 
 
 def test_price_by_powers_of_the_cells():
@@ -73,7 +74,7 @@ def test_inertia_of_the_peer_is_scaled_away(tmp_path):
 def test_own_rate_is_that_of_the_fluxes(tmp_path):
     """cosseratPicFoam's case is the classical fluid, without microrotation."""
     case = peers.own_case(tmp_path/"case", 4)
-    peers.stop_at_rest(case, peers.REST)
+    peers.stop_at_rest(case, silo.REST)
     row = peers.solve_at_rest(case, peers.OWN)
     assert "microrotation     no" in case.log()
     assert abs(row["error"]) < 0.3

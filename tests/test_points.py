@@ -5,11 +5,8 @@ import re
 import numpy as np
 import pytest
 
-from cosserat.box import add_points
-from studies.pointIntegration import ring
-
-TURN = {"left": ("exact", "exact"), "right": ("exact", "exact"),
-        "bottom": ("exact", "exact"), "top": ("exact", "exact")}
+from cosserat.scenes.box import STILL, TURN, add_points
+from cosserat.scenes.ring import ring
 
 
 def rotating(box, target, scheme, steps, velocity="conservativeLinear"):
@@ -51,9 +48,8 @@ def test_points_slide_along_oblique_walls(box):
     """A driven parallelogram in steps of some cells, with velocities that are
     not those of the fluxes: points end on walls and in acute corners, and all
     are there still."""
-    still = ("type noSlip;", "type zeroGradient;")
     case = box(n=8, shear=0.7, materials={"a": {"eta": 1, "etaC": 0, "R": 0}},
-               walls={**{side: still for side in TURN},
+               walls={**{side: STILL for side in TURN},
                       "top": ("type fixedValue; value uniform (4 0 0);",
                               "type zeroGradient;")})
     add_points(case, "{ type all; material a; }", velocity="cellPoint",
@@ -90,10 +86,9 @@ def test_points_stay_evenly_spread(box):
     leaves no cell empty, interpolation of cell values does."""
     counts = {}
     for velocity in ("conservativeLinear", "cellPoint"):
-        still = ("type noSlip;", "type zeroGradient;")
         case = box(velocity, n=16, tolerance=1e-7,
                    materials={"a": {"eta": 1, "etaC": 0, "R": 0}},
-                   walls={"left": still, "right": still, "bottom": still,
+                   walls={"left": STILL, "right": STILL, "bottom": STILL,
                           "top": ("type fixedValue; value uniform (1 0 0);",
                                   "type zeroGradient;")})
         add_points(case, "{ type all; material a; }", velocity=velocity,
@@ -170,11 +165,8 @@ def test_mixture_rules(box):
     for rule, mean in means.items():
         case = box(rule, n=4, materials=materials, average=rule,
                    fractions=lambda x, y: 0.5 + 0.8*x)
-        (case.path/"system/controlDict").write_text(
-            (case.path/"system/controlDict").read_text().replace(
-                "functions\n{", "functions\n{ w { type writeObjects;"
-                " libs (utilityFunctionObjects); objects (rho eta etaC);"
-                " writeControl writeTime; }"))
+        case.measure("w", "writeObjects", "objects (rho eta etaC);"
+                     " writeControl writeTime;", "utilityFunctionObjects")
         case.run("cosseratPicFoam")
         a = case.field("alpha.a", 0)
         assert np.allclose(case.field("eta"), mean(a, 1, 100), rtol=1e-12)

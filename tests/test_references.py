@@ -16,8 +16,8 @@ import pytest
 
 from cosserat.case import Case, FILES, TUTORIALS
 from cosserat.references import DEPTH, TUTORIALS as REFERENCES
-from cosserat.silo import rate
-from finiteElements import tutorials as elements
+from cosserat.scenes.silo import rate
+from cosserat.finiteElements import tutorials as elements
 
 ONE_STEP = {"endTime": 1e-8, "deltaT": 1e-8, "adjustTimeStep": "no",
             "writeControl": "timeStep", "writeInterval": 1}

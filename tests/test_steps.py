@@ -8,7 +8,7 @@ import pytest
 from scipy.spatial import cKDTree
 
 from cosserat.case import TUTORIALS, Case
-from cosserat.silo import mesh_entries
+from cosserat.scenes.silo import mesh_entries
 
 #: Cells by tutorial; without an entry as they are
 MESH = {
@@ -57,9 +57,9 @@ def test_first_steps(tmp_path, name, block):
     parts = Case(shutil.copytree(whole.path, tmp_path/"parts"))
     shutil.rmtree(parts.path/whole.times()[-1])
     if block != "automatic":
-        parts.substitute("system/fvSolution", {
-            "tolerance": f"1e-8; preconditioner {{ block {block}; }}"
-                         " maxIter 300"})
+        parts.override("solution", creepingFlow=f"{{ maxIter 300;"
+                       f" preconditioner {{ block {block}; }} }}")
+    # By the dictionary of the tutorial
     parts.substitute("system/decomposeParDict", {"numberOfSubdomains": 2})
     parts.run("decomposePar", "-latestTime")
     parts.run("cosseratPicFoam", ranks=2)

@@ -6,9 +6,10 @@ import re
 
 import numpy as np
 import pytest
-from studies import tradeOff
 
-from cosserat.case import FILES, ROOT, TUTORIALS, Case
+from cosserat import exploration
+from cosserat.case import FILES, ROOT, TUTORIALS, Case, worst_residual
+from cosserat.scenes.box import count
 from cosserat.tradeoff import extrapolate, front, refine, restrict
 
 PRESETS = sorted(d.name for d in (ROOT/"etc/presets").iterdir())
@@ -70,6 +71,7 @@ def with_preset(path, preset):
             "n ${cells.${preset}};", mesh.read_text(), flags=re.M))
     else:
         case.substitute(FILES["mesh"], {"n": 16})
+    count(case)
     case.run("blockMesh")
     case.run("cosseratPicFoam")
     return case
@@ -89,7 +91,10 @@ def test_preset_runs(tmp_path, preset):
     n = {"fast": 8, "balanced": 16, "accurate": 32}[preset]
     log = case.log()
     assert case.n_cells() == n*n
-    assert f"{n*n*int(value(preset, 'points', 'pointsPerCell'))} seeded" in log
+    seeded = case.table("points", "pointStatistics.dat")[0]
+    assert seeded[1] - seeded[10] + seeded[11] == (
+        n*n*int(value(preset, "points", "pointsPerCell")))
+    assert worst_residual(log) <= float(value(preset, "flow", "tolerance"))
     assert re.search(rf"integration {value(preset, 'points', 'integration')},",
                      log)
     assert float(re.search(r"tolerance (\S+),", log)[1]) == float(
@@ -112,9 +117,7 @@ def test_trade_off_of_a_case(tmp_path, monkeypatch, capsys):
     case.substitute(FILES["control"], {"endTime": 1e-6, "deltaT": 1e-6})
     before = sorted(case.path.rglob("*"))
     monkeypatch.setenv("COSSERATPIC_CALLER", str(tmp_path))
-    monkeypatch.setattr(tradeOff, "HERE", tmp_path)
-    monkeypatch.setattr("studies.common.RESULTS", tmp_path/"results")
-    tradeOff.main(["-case", "mine", "-points", "4"])
+    exploration.main(["-case", "mine", "-points", "4"], "x", tmp_path)
     assert sorted(case.path.rglob("*")) == before
     rows = json.loads((tmp_path/"results/tradeOff.json").read_text())["rows"]
     assert [row["nCells"] for row in rows] == [64, 256, 1024, 256]

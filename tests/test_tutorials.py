@@ -233,7 +233,8 @@ def test_template_becomes_a_case(tmp_path):
     """cp -r and Allrun, nothing else; the picture is there, and named."""
     copy_template(tmp_path/"mine")
     done = subprocess.run(["./Allrun"], cwd=tmp_path/"mine", check=True,
-                          stdout=subprocess.PIPE, text=True)
+                          stdout=subprocess.PIPE, text=True,
+                          timeout=Case.timeout)
     assert done.stdout.rstrip().endswith("points.png")
     assert (tmp_path/"mine/results/points.png").stat().st_size > 20000
     case = Case(tmp_path/"mine")
@@ -249,7 +250,7 @@ def test_Allrun_shows_the_error(tmp_path):
     case.substitute("constant/materialProperties", {"R": -1})
     done = subprocess.run(["./Allrun"], cwd=case.path, check=False,
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                          text=True)
+                          text=True, timeout=Case.timeout)
     assert done.returncode != 0
     for words in ("'R'", "is -1", "Allowed", "materialProperties",
                   "log.cosseratPicFoam"):

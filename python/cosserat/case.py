@@ -7,7 +7,10 @@ of the three planes; of a run in parallel the times are to be reconstructed.
 import os
 import re
 import shutil
+import signal
 import subprocess
+import tempfile
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
@@ -30,11 +33,15 @@ FILES = {
 
 
 class RunError(RuntimeError):
-    """A program of the case failed; the message ends with its log."""
+    """A program of the case failed or took too long; the message ends with
+    its log."""
 
 
 class Case:
     """A case directory."""
+
+    #: Longest time that a program may take [s]; None: any
+    timeout = 600
 
     def __init__(self, path):
         self.path = Path(path)
@@ -72,20 +79,89 @@ class Case:
         return self
 
     def run(self, *command, log=True, check=True, ranks=1):
-        """Run a program in the case; its output goes to log.<program>."""
+        """Run a program in the case; its output goes to log.<program> as it
+        comes, to be followed. What takes longer than the timeout is killed."""
         command = [str(c) for c in command]
-        name = command[0]
+        path = self.path/f"log.{command[0]}"
         if ranks > 1:
             command = ["mpirun", "-np", str(ranks), *command, "-parallel"]
-        done = subprocess.run(
-            command, cwd=self.path, stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT, text=True, check=False)
-        if log:
-            (self.path/f"log.{name}").write_text(done.stdout)
-        if check and done.returncode:
-            raise RunError(f"{' '.join(command)} in {self.path} ended with "
-                           f"{done.returncode}:\n{done.stdout[-3000:]}")
-        return done
+        with (path.open("w+", errors="replace") if log else
+              tempfile.TemporaryFile("w+", errors="replace")) as file:
+            code = self._wait(command, file)
+            file.seek(0)
+            text = file.read()
+        said = f"{' '.join(command)} in {self.path}"
+        if code is None:
+            raise RunError(f"{said} was killed after {self.timeout} s, the"
+                           f" longest time allowed:\n{text[-3000:]}")
+        if check and code:
+            raise RunError(f"{said} ended with {code}:\n{text[-3000:]}")
+        return subprocess.CompletedProcess(command, code, text)
+
+    def _wait(self, command, file):
+        """Exit code of a program that writes to a file; None where it took
+        too long."""
+        with subprocess.Popen(
+                command, cwd=self.path, stdout=file, stderr=subprocess.STDOUT,
+                start_new_session=True) as process:
+            try:
+                return process.wait(self.timeout)
+            except subprocess.TimeoutExpired:
+                # mpirun ends its ranks, which are in groups of their own
+                process.terminate()
+                with suppress(subprocess.TimeoutExpired):
+                    process.wait(5)
+                return None
+            finally:
+                with suppress(ProcessLookupError):
+                    os.killpg(process.pid, signal.SIGKILL)
+
+    def decompose(self, ranks, method="simple", n=None, field=None):
+        """Write system/decomposeParDict and decompose the latest time; n: parts
+        along each axis of simple and hierarchical (by default along x);
+        field: of weights. Of one rank nothing is to do."""
+        if ranks == 1:
+            return self
+        n = n or f"({ranks} 1 1)"
+        weights = f"weightField {field};\n" if field else ""
+        (self.path/FILES["decomposition"]).write_text(
+            "FoamFile { version 2.0; format ascii; class dictionary;"
+            f" object decomposeParDict; }}\nnumberOfSubdomains {ranks};\n"
+            f"method {method};\n{weights}coeffs {{ n {n}; }}\n")
+        if method == "ptscotch":
+            self.run("redistributePar", "-decompose", ranks=ranks)
+        else:
+            self.run("decomposePar", "-latestTime", "-force")
+        return self
+
+    def reconstruct(self, *options):
+        """Reconstruct what has been decomposed, if it has."""
+        if any(self.path.glob("processor*")):
+            self.run("reconstructPar", *options)
+        return self
+
+    def solve(self, ranks=1, **parts):
+        """Run the solver, on several ranks decomposed and reconstructed;
+        parts: of decompose()."""
+        self.decompose(ranks, **parts)
+        self.run("cosseratPicFoam", ranks=ranks)
+        return self.reconstruct()
+
+    def override(self, file, **entries):
+        """Add entries at the end of a dictionary, where they prevail; text
+        that begins with a brace is a dictionary, and merges."""
+        with (self.path/FILES.get(file, file)).open("a") as text:
+            for key, value in entries.items():
+                end = "" if str(value).lstrip().startswith("{") else ";"
+                text.write(f"\n{key} {value}{end}\n")
+        return self
+
+    def measure(self, name, kind, entries="", library="cosseratFunctionObjects"):
+        """Give the case a function object: its name, type and further
+        entries."""
+        return self.override(
+            "control", functions=f"{{ {name} {{ type {kind};"
+            f" libs ({library}); {entries} }} }}")
 
     def entries(self, file):
         """Simple entries (keyword value;) at the top of a dictionary."""
@@ -267,6 +343,22 @@ def residuals(log):
                r"Final residual = (\S+), No Iterations (\d+)")
     return [(field, float(initial), float(final), int(n))
             for field, initial, final, n in re.findall(pattern, log)]
+
+
+def worst_residual(log):
+    """Largest final residual of all solves in a log."""
+    return max(row[2] for row in residuals(log))
+
+
+def cpu_seconds(log):
+    """Processor time of a run [s]."""
+    return float(re.findall(r"ExecutionTime = (\S+) s", log)[-1])
+
+
+def fresh_case(path, tutorial):
+    """A copy of a tutorial, by its name, in place of what was there."""
+    shutil.rmtree(path, ignore_errors=True)
+    return Case.copy(TUTORIALS/tutorial, path)
 
 
 def environment():

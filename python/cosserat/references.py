@@ -72,7 +72,7 @@ SILO_SCENES = {
 }
 
 ELEMENTS = ("finite elements of degree 4 and 5, graded into the corners: "
-            "validation/finiteElements")
+            "cosserat.finiteElements")
 
 
 def _rates(rows):
@@ -113,7 +113,7 @@ def _relatives(rows):
         uncertainty, ELEMENTS) for scene, quantity, value, uncertainty in rows}
 
 
-#: Quantities of the scenes of cosserat.relatives, by scene and quantity
+#: Quantities of the scenes of cosserat.scenes.relatives, by scene and quantity
 RELATIVES = _relatives([
     ("slip starts", "flux", 0.107264, 2e-6),
     ("slip starts, Cosserat", "flux", 0.067742, 2e-6),
@@ -144,7 +144,7 @@ DEPTH = 0.1
 
 _GRAINS = Material(1000, 1000, 0.2)
 _ROUND = "analytic, cosserat.analytic.EccentricCylinders"
-_TUTORIALS = "finite elements: validation/finiteElements/tutorials.py"
+_TUTORIALS = "finite elements: cosserat.finiteElements.tutorials"
 
 #: Numbers of the tutorials, by tutorial or "tutorial, variant". Powers are of
 #: the meshes as they are, of the depth DEPTH [m]; uncertainties of finite
@@ -196,13 +196,13 @@ def _jumps(source, rows):
         for scene, contrast, quantity, value, uncertainty in rows}
 
 
-#: Quantities of the bodies of cosserat.jumps, by scene, contrast and quantity.
-#: Of the block the finite elements of validation/finiteElements/jumps.py have
+#: Quantities of the bodies of cosserat.scenes.jumps, by scene, contrast and quantity.
+#: Of the block the finite elements of cosserat.finiteElements.jumps have
 #: the same u to 1e-5; their pressure, and their spread at 1e6, are less exact.
 #: At 1e8, where round-off shows in both, u and pressure are those at 1e6,
 #: which go with 1/contrast to what they are, and spread is a hundredth
 JUMPS = _jumps("staggered scheme, limit of three grids: "
-               "validation/staggered.py", [
+               "cosserat.staggered", [
     ("block", 1e-4, "u", -6.03765e-3, 1e-8),
     ("block", 1e-4, "spread", 1.4504, 1e-4),
     ("block", 1e-4, "pressure", -0.0799902, 1e-7),
@@ -236,7 +236,7 @@ JUMPS = _jumps("staggered scheme, limit of three grids: "
     ("block, Cosserat", 1e8, "u", -2.44156e-3, 3e-8),
     ("block, Cosserat", 1e8, "spread", 4.446e-8, 1e-9),
     ("block, Cosserat", 1e8, "pressure", 0.011992, 2e-5),
-]) | _jumps("finite elements: validation/finiteElements/jumps.py", [
+]) | _jumps("finite elements: cosserat.finiteElements.jumps", [
     ("disc", 1e-4, "u", -0.00559265, 1e-7),
     ("disc", 1e-4, "uCentre", -0.00816233, 1e-7),
     ("disc", 0.01, "u", -0.00556914, 1e-7),

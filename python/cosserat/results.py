@@ -46,7 +46,25 @@ def power(case):
     return (row[1] + row[2])/DEPTH
 
 
+def pressure_work(case):
+    """Work of the discrete pressure over what gravity and walls supply, at
+    each time: an error of the discretisation where B is infinite. (That all
+    terms together balance is an identity of the discrete system.)"""
+    _, gravity, walls, pressure, *_ = case.table("power", "powerBalance.dat").T
+    return pressure/(gravity + walls)
+
+
 def balance(case):
     """Integral of the field dissipation over the power supplied, less 1."""
     dissipated = case.field("dissipation") @ case.volumes()
     return float(dissipated/DEPTH/power(case) - 1)
+
+
+def add_orders(rows, *keys):
+    """Add to each row the order of convergence of its errors from the row
+    before, on half its cells: orderU of errU; None in the first."""
+    for coarse, fine in zip([None] + rows[:-1], rows):
+        for key in keys:
+            fine[f"order{key}"] = (
+                float(np.log2(coarse[f"err{key}"]/fine[f"err{key}"]))
+                if coarse else None)

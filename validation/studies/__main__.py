@@ -4,14 +4,15 @@ import importlib
 import sys
 from time import time
 
-from studies import tradeOff
-from studies.common import NAMES, write
+from cosserat import exploration
+from studies.common import HERE, NAMES, write
 
 
 def main():
     """The command line."""
     if sys.argv[1:2] == ["tradeOff"]:
-        return tradeOff.main(sys.argv[2:])
+        return exploration.main(sys.argv[2:], "validation/Allrun tradeOff",
+                                HERE)
     names = sys.argv[1:] or NAMES
     for name in names:
         if name not in NAMES:

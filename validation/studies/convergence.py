@@ -3,8 +3,9 @@ the descendant of its code, measured on the same problem."""
 
 import matplotlib.pyplot as plt
 
-from studies.common import (LABELS, PAPER, WALLS, add_orders, cell_ticks,
-                            run_layer, save)
+from cosserat.results import add_orders
+from cosserat.scenes.layers import PAPER, WALLS, run_layer
+from studies.common import HERE, LABELS, cell_ticks, save
 
 CELLS = [6, 12, 24, 48, 96]
 
@@ -50,7 +51,7 @@ def study():
     for case in [*WALLS, "gravity"]:
         own = []
         for i, n in enumerate(CELLS):
-            _, _, row = run_layer("convergence", f"{case}{n}", PAPER, n,
+            _, _, row = run_layer(HERE/f"runs/convergence/{case}{n}", PAPER, n,
                                   WALLS.get(case), None if case in WALLS
                                   else 1, tolerance=1e-11)
             own.append({"case": case, "n": n, **row})

@@ -1,4 +1,4 @@
-"""Relatives of the silo's corner (cosserat.relatives) by the flow solver,
+"""Relatives of the silo's corner (cosserat.scenes.relatives) by the flow solver,
 against the finite elements; the silo itself is siloRate."""
 
 import shutil
@@ -7,7 +7,7 @@ import numpy as np
 
 from cosserat.case import residuals
 from cosserat.references import RELATIVES
-from cosserat.relatives import SCENES, RelativeCase, measure
+from cosserat.scenes.relatives import SCENES, RelativeCase, measure
 from studies.common import HERE
 
 #: Cells a unit length

@@ -1,10 +1,10 @@
 """The silo at rest and the relatives of its corner by finite elements:
 recomputes the reference numbers of cosserat.references."""
 
+from cosserat.finiteElements.relatives import relative_values
+from cosserat.finiteElements.silo import silo_limit, silo_rate
 from cosserat.references import RELATIVES, SILO, SILO_SCENES
-from cosserat.relatives import SCENES
-from finiteElements.relatives import relative_values
-from finiteElements.silo import silo_limit, silo_rate
+from cosserat.scenes.relatives import SCENES
 
 #: Depths of grading where a fluid's surface ends in a corner
 DEPTHS = (1e-40, 1e-70, 1e-100)

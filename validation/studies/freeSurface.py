@@ -11,9 +11,8 @@ import numpy as np
 
 from cosserat.case import RunError
 from cosserat.picture import outflow
+from cosserat.scenes.silo import VOLUME, mesh_entries
 from studies.common import new_case, save
-from cosserat.silo import mesh_entries
-from studies.siloDischarge import VOLUME
 
 THETAS = [0, 0.5, 1]
 
@@ -30,8 +29,8 @@ def run(theta, courant, cells=4, end=END):
     case.substitute("system/controlDict", {
         "maxCo": courant, "endTime": end, "writeInterval": end,
         "deltaT": 2e-6*courant})
-    case.substitute("system/fvSolution", {
-        "tolerance": f"1e-6; freeSurfaceStabilisation {theta}"})
+    case.override("solution", creepingFlow="{ tolerance 1e-6;"
+                  f" freeSurfaceStabilisation {theta}; }}")
     case.run("blockMesh")
     why = ""
     try:

@@ -4,7 +4,8 @@ layer run from them is the one run from the viscosities."""
 import numpy as np
 
 from cosserat.analytic import Material, granular_contact
-from studies.common import constant_material, new_case
+from cosserat.scenes.layers import constant_material
+from studies.common import new_case
 
 
 def run(name, material=None):

@@ -5,7 +5,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from cosserat.analytic import Material, wall_velocity_no_rotation
-from studies.common import run_layer, save
+from cosserat.scenes.layers import run_layer
+from studies.common import HERE, save
 
 N = 96
 
@@ -30,7 +31,7 @@ def study():
     for i, R in enumerate(np.logspace(-3, 2, 21)):
         text, first = grading(R)
         case, _, row = run_layer(
-            "internalLength", f"R{i}", Material(1.0, 1.0, float(R)), N,
+            HERE/f"runs/internalLength/R{i}", Material(1.0, 1.0, float(R)), N,
             {"sigma": 1.0, "Omega": 0.0}, tolerance=1e-10, grading=text)
         u = float(case.patch_field("U", "top")[:, 0].mean()
                   - case.patch_field("U", "bottom")[:, 0].mean())/2

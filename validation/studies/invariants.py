@@ -5,8 +5,8 @@ turn, scaling."""
 import matplotlib.pyplot as plt
 import numpy as np
 
-from cosserat.box import Box
 from cosserat.case import residuals
+from cosserat.scenes.box import Box
 from studies.common import HERE, save
 
 SOFT = {"eta": 3, "etaC": 5, "R": 0.2}

@@ -1,5 +1,5 @@
-"""Stiff against soft (cosserat.jumps): jumps of the viscosities on cell faces
-and through cells by the flow solver, by contrast, mean of the viscosities in
+"""Stiff against soft (cosserat.scenes.jumps): jumps of the viscosities on cell
+faces and through cells by the flow solver, by contrast, mean of the viscosities in
 cut cells, and cells; against formulas, a staggered scheme and finite elements.
 Rayleigh-Taylor at a ratio of 0.01 besides, whose peak is published."""
 
@@ -8,10 +8,10 @@ import shutil
 import matplotlib.pyplot as plt
 import numpy as np
 
-from cosserat.case import RunError, residuals
-from cosserat.jumps import SCENES, run
-from studies import rayleighTaylor
-from studies.common import HERE, cell_ticks, cpu_seconds, save
+from cosserat.case import RunError, cpu_seconds, residuals
+from cosserat.scenes import rayleighTaylor
+from cosserat.scenes.jumps import SCENES, run
+from studies.common import HERE, cell_ticks, save
 
 #: Means of the viscosity in cut cells; None leaves the choice to the solver
 MEANS = [None, "arithmetic", "geometric", "harmonic"]
@@ -47,7 +47,8 @@ def solve(path, name, contrast, cells, mean):
 
 def overturn(mean, cells):
     """Row of the peak of v_rms."""
-    case, found = rayleighTaylor.run(OVERTURN, cells, mean, "jumps")
+    case, found = rayleighTaylor.run(
+        HERE/f"runs/jumps/{OVERTURN}-{cells}", OVERTURN, cells, mean)
     reference = rayleighTaylor.SCENES[OVERTURN][2]
     return {"scene": "rayleighTaylor", "contrast": OVERTURN,
             "mean": mean or "default", "cells": cells, "status": "ok",

@@ -6,12 +6,10 @@ the speed-up of two ranks on 256 x 256 cells with 16 points each."""
 import re
 
 import matplotlib.pyplot as plt
-import numpy as np
-from scipy.spatial import cKDTree
 
-from cosserat.case import residuals
+from cosserat.scenes.decomposed import FIELDS, compare, costs
+from cosserat.scenes.silo import mesh_entries
 from studies.common import new_case, save
-from cosserat.silo import mesh_entries
 
 METHODS = ("simple", "hierarchical", "scotch", "metis", "ptscotch")
 
@@ -22,16 +20,6 @@ PARTS = {1: (1, 1), 2: (2, 1), 3: (1, 3), 4: (2, 2), 8: (2, 4)}
 #: decomposes, before any program of this project
 NOT_HERE = {("ptscotch", 4), ("ptscotch", 8)}
 
-FIELDS = ("U", "p", "omega")
-
-
-def decompose(case, method, ranks):
-    """Decompose the latest time; ptscotch does it in parallel."""
-    if method == "ptscotch":
-        case.run("redistributePar", "-decompose", ranks=ranks)
-    else:
-        case.run("decomposePar", "-latestTime", "-force")
-
 
 def run(method, ranks, block="automatic", cells=4):
     """The case of one run, reconstructed."""
@@ -40,22 +28,13 @@ def run(method, ranks, block="automatic", cells=4):
     case.substitute("system/controlDict", {
         "endTime": 2e-4, "deltaT": 1e-5, "adjustTimeStep": "no",
         "writeInterval": 2e-4, "writePrecision": 17})
-    path = case.path/"system/fvSolution"
-    path.write_text(re.sub(
-        r"tolerance .*", f"tolerance 1e-10; preconditioner {{ block {block}; }}",
-        path.read_text()))
+    case.override("solution", creepingFlow=f"{{ tolerance 1e-10;"
+                  f" preconditioner {{ block {block}; }} }}")
     case.run("blockMesh")
     if ranks > 1:
         nx, ny = PARTS[ranks]
-        case.substitute("system/decomposeParDict", {
-            "numberOfSubdomains": ranks, "method": method,
-            "n": f"({nx} {ny} 1)"})
-        decompose(case, method, ranks)
-        case.run("cosseratPicFoam", ranks=ranks)
-        case.run("reconstructPar", "-latestTime")
-    else:
-        case.run("cosseratPicFoam")
-    return case
+        return case.solve(ranks, method=method, n=f"({nx} {ny} 1)")
+    return case.solve()
 
 
 def large(method, ranks, cells=256, steps=8):
@@ -68,9 +47,7 @@ def large(method, ranks, cells=256, steps=8):
         "writeInterval": 1000})
     case.run("blockMesh")
     if ranks > 1:
-        case.substitute("system/decomposeParDict", {
-            "numberOfSubdomains": ranks, "method": method})
-        case.run("decomposePar")
+        case.decompose(ranks, method)
     case.run("cosseratPicFoam", ranks=ranks)
     return case
 
@@ -87,28 +64,6 @@ def speed_up():
         rows[-1]["speedUp"] = rows[0]["step"]/rows[-1]["step"]
         print(rows[-1], flush=True)
     return rows
-
-
-def compare(case, serial):
-    """Differences of a case from another one: of the fields relative to the
-    largest value, of the places of the points [m]."""
-    row = {}
-    for name in FIELDS:
-        a, b = case.field(name), serial.field(name)
-        row[f"diff{name}"] = float(np.abs(a - b).max()/np.abs(b).max())
-    places, others = case.cloud("positions"), serial.cloud("positions")
-    row["points"] = len(places)
-    row["diffPoints"] = float(cKDTree(others).query(places)[0].max())
-    row["volume"] = float(case.cloud("volume").sum())
-    return row
-
-
-def costs(case):
-    """Iterations of all steps, seconds of a step."""
-    log = case.log()
-    return {
-        "iterations": sum(row[3] for row in residuals(log) if row[0] == "U"),
-        "step": float(re.findall(r"done, (\S+) s a step", log)[-1])}
 
 
 def study():

@@ -5,8 +5,8 @@ import re
 
 import matplotlib.pyplot as plt
 
+from cosserat.scenes.rayleighTaylor import scene
 from studies.common import HERE, save
-from studies.rayleighTaylor import scene
 
 RATIOS = (1, 0.01)
 
@@ -16,11 +16,7 @@ KEYS = ("seeding", "moving", "averaging", "flow")
 def run(path, n, ratio, ranks, steps=10):
     """One row, from Test-pointCost."""
     case = scene(path, ratio, n, 100, 1)
-    if ranks > 1:
-        (case.path/"system/decomposeParDict").write_text(
-            "FoamFile { version 2.0; format ascii; class dictionary; object x; }\n"
-            f"numberOfSubdomains {ranks}; method scotch;\n")
-        case.run("decomposePar")
+    case.decompose(ranks, "scotch")
     done = case.run("Test-pointCost", "-steps", steps, ranks=ranks).stdout
     value = dict(re.findall(
         r"(points|seeding|moving|averaging|flow|bytes|size) ([-\d.e+]+)",

@@ -4,37 +4,14 @@ the flow of the start of the step, extrapolated, or solved at mid-step."""
 import matplotlib.pyplot as plt
 import numpy as np
 
-from cosserat.box import Box, add_points
-from studies.common import HERE, cpu_seconds, save
-
-COUPLINGS = ["frozen", "extrapolated", "midpoint"]
-
-AVERAGES = ["linearLeastSquares", "cellMean"]
+from cosserat.case import cpu_seconds
+from cosserat.scenes.overturn import AVERAGES, COUPLINGS, END, run
+from studies.common import HERE, save
 
 STEPS = [5, 10, 20, 40, 80]
 
 #: Steps of the run that the others are compared with, by midpoint
 REFERENCE = 320
-
-#: Cells a side and end [s], by which points have moved by up to a fifth
-N, END = 32, 30.0
-
-
-def run(path, coupling, steps, n=N, average=AVERAGES[0]):
-    """Positions by id, and the log."""
-    fluid = {"eta": 1, "etaC": 0, "R": 0}
-    case = Box(path, n=n, g=(0, -1, 0), tolerance=1e-9,
-               materials={"heavy": {**fluid, "rho": 1}, "light": fluid},
-               fractions=lambda x, y: 0*x).write()
-    add_points(case, "{ type all; material heavy; }"
-               " { type belowInterface; material light; along (1 0 0);"
-               " up (0 1 0); height polynomial ((0.1 0) (0.3 1)); }",
-               coupling=coupling, average=average, minPointsPerCell=0)
-    case.substitute("system/controlDict", {
-        "endTime": END, "deltaT": END/steps, "writeInterval": steps})
-    case.run("cosseratPicFoam")
-    xy = case.cloud("positions")[np.argsort(case.cloud("origId")), :2]
-    return xy, case.log()
 
 
 def study():

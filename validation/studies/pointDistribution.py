@@ -5,7 +5,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from cosserat.analytic import RigidShear
-from cosserat.box import Box, add_points
+from cosserat.scenes.box import Box, add_points
 from studies.common import HERE, save
 
 VELOCITIES = ["cell", "cellPoint", "faceFlux", "conservativeLinear"]

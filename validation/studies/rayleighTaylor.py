@@ -7,137 +7,13 @@ The viscosity of cut cells is the harmonic mean: the interface is sheared along
 itself. On 32 x 32 cells at ratio 0.01 it has the peak at 1.44e-2 at 50, the
 geometric mean 1.23e-2 at 54, the arithmetic one 1.10e-2 at 58."""
 
-import shutil
-
 import matplotlib.pyplot as plt
-import numpy as np
 
-from cosserat.analytic import rayleigh_taylor_growth
-from cosserat.box import Box
 from cosserat.picture import snapshot
-from studies.common import HERE, cpu_seconds, save
-
-WIDTH = 0.9142
-
-#: ratio: (time of the end, largest time step, peak of v_rms, its time), the
-#: latter two as published
-SCENES = {1: (240, 0.5, 3.09e-3, 209),
-          0.1: (80, 0.25, 9.46e-3, 72),
-          0.01: (56, 0.25, 1.46e-2, 50)}
+from cosserat.scenes.rayleighTaylor import SCENES, run, speeds
+from studies.common import HERE, save
 
 CELLS = [64, 96]
-
-#: Height of the interface, amplitude of its wave
-HEIGHT, AMPLITUDE = 0.2, 0.02
-
-
-class Tank(Box):
-    """The box, n x n cells."""
-
-    def mesh(self):
-        super().mesh()
-        path = self.case.path/"system/blockMeshDict"
-        text = path.read_text()
-        for corner in ((0, 0), (1, 0), (1, 1), (0, 1)):
-            text = text.replace(f"({corner[0] - .5} {corner[1] - .5} ",
-                                f"({WIDTH*corner[0]} {corner[1]} ")
-        path.write_text(text)
-
-
-def scene(path, ratio, n, end, max_step, average="harmonic", **entries):
-    """The case with its points; average: of the viscosities (None: left out);
-    entries are those of the points."""
-    still = ("type noSlip;", "type zeroGradient;")
-    light, heavy = ({"eta": eta, "etaC": 0, "R": 0, "rho": rho}
-                    for eta, rho in ((ratio, 0), (1, 1)))
-    tank = Tank(path, n=n, g=(0, -1, 0), tolerance=1e-6, average=average,
-                materials={"light": light, "heavy": heavy},
-                fractions=lambda x, y: 0*x,
-                walls={"bottom": still, "top": still})
-    case = tank.write()
-    for name in ("light", "heavy"):
-        (case.path/f"0/alpha.{name}").unlink()
-    more = "\n".join(f"{key} {value};" for key, value in entries.items())
-    tank.file("constant/materialPointsProperties", f"""
-seeding
-{{
-    pointsPerCell 16;
-    regions
-    (
-        {{ type all; material heavy; }}
-        {{
-            type belowInterface; material light;
-            along (1 0 0); up (0 1 0);
-            height sine;
-            heightCoeffs
-            {{
-                frequency {0.5/WIDTH!r}; t0 {-WIDTH/2!r};
-                amplitude {AMPLITUDE}; scale 1; level {HEIGHT};
-            }}
-        }}
-    );
-}}
-{more}
-""")
-    case.substitute("system/controlDict", {
-        "endTime": end, "deltaT": max_step, "writeInterval": end/4})
-    path = case.path/"system/controlDict"
-    path.write_text(path.read_text().replace(
-        "writeControl        timeStep", "writeControl adjustableRunTime").replace(
-        "functions\n{", f"""adjustTimeStep yes; maxCo 0.2; maxDeltaT {max_step};
-functions
-{{
-    square {{ type magSqr; libs (fieldFunctionObjects); field U; log no;
-        writeControl writeTime; }}
-    mean {{ type volFieldValue; libs (fieldFunctionObjects); operation volAverage;
-        regionType all; fields (magSqr(U)); writeFields no; log no; }}"""))
-    return case
-
-
-def speeds(case):
-    """Rows of time and root mean square of the velocity."""
-    rows = np.loadtxt(
-        case.path/"postProcessing/mean/0/volFieldValue.dat", ndmin=2)
-    return np.column_stack((rows[:, 0], np.sqrt(rows[:, 1])))
-
-
-def growth_rate(path, ratio, n, average="harmonic"):
-    """Rate at which the wave of the interface grows at the start: the part
-    cos(pi x/WIDTH) of the vertical velocity at its height over its amplitude.
-    (The slope of v_rms in time is a staircase: the interface takes ten units
-    of time from one row of points to the next.)"""
-    case = scene(path, ratio, n, 1e-3, 1e-3, average)
-    case.run("cosseratPicFoam")
-    x, y = case.centres()[:, :2].T
-    wave = case.field("U")[:, 1]*np.cos(np.pi*x/WIDTH)
-    heights = np.unique(y.round(9))
-    parts = [2*wave[np.abs(y - h) < 1e-6].mean() for h in heights]
-    return np.interp(HEIGHT, heights, parts)/AMPLITUDE
-
-
-def peak(rows):
-    """Highest speed and its time, by a parabola through what is near."""
-    top = int(np.argmax(rows[:, 1]))
-    near = rows[np.abs(rows[:, 0] - rows[top, 0]) < 0.04*rows[top, 0]]
-    a, b, c = np.polyfit(near[:, 0] - rows[top, 0], near[:, 1], 2)
-    return c - b**2/(4*a), rows[top, 0] - b/(2*a)
-
-
-def run(ratio, n, average="harmonic", study="rayleighTaylor"):
-    """The case of one run and its row."""
-    end, max_step, _, _ = SCENES[ratio]
-    path = HERE/f"runs/{study}/{ratio}-{n}"
-    for old in (path, path.with_name(path.name + "-rest")):
-        shutil.rmtree(old, ignore_errors=True)
-    growth = growth_rate(path.with_name(path.name + "-rest"), ratio, n,
-                         average)
-    case = scene(path, ratio, n, end, max_step, average)
-    case.run("cosseratPicFoam")
-    highest, when = peak(speeds(case))
-    return case, {"ratio": ratio, "n": n, "growth": float(growth),
-                  "linearGrowth": float(rayleigh_taylor_growth(ratio)),
-                  "vrmsMax": float(highest), "tMax": float(when),
-                  "steps": len(speeds(case)), "cpu": cpu_seconds(case.log())}
 
 
 def draw(cases):
@@ -173,7 +49,8 @@ def study():
     cases, rows = {}, []
     for n in CELLS:
         for ratio in SCENES:
-            cases[ratio, n], row = run(ratio, n)
+            cases[ratio, n], row = run(
+                HERE/f"runs/rayleighTaylor/{ratio}-{n}", ratio, n)
             rows.append(row)
             print(row, flush=True)
     draw(cases)

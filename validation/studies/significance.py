@@ -5,7 +5,8 @@ fit, the flow is the classical one."""
 import matplotlib.pyplot as plt
 import numpy as np
 
-from studies.common import PAPER, run_layer, save
+from cosserat.scenes.layers import PAPER, run_layer
+from studies.common import HERE, save
 
 N = 24
 DECADES = np.logspace(-3, 3, 13)
@@ -15,7 +16,7 @@ def sweep(name, values, walls):
     """Errors for each value of the dimensionless parameter of that name."""
     rows = []
     for i, value in enumerate(values):
-        _, _, row = run_layer("significance", f"{name}{i}", PAPER, N,
+        _, _, row = run_layer(HERE/f"runs/significance/{name}{i}", PAPER, N,
                               walls(value), tolerance=1e-12)
         rows.append({"parameter": name, "value": float(value),
                      "errU": row["errU"], "errOmega": row["errOmega"]})

@@ -7,22 +7,17 @@ import shutil
 import matplotlib.pyplot as plt
 import numpy as np
 
-from cosserat.case import FILES, residuals
+from cosserat.case import FILES, cpu_seconds, residuals
 from cosserat.picture import outflow, snapshots
-from cosserat.silo import mesh_entries, rate, refine
-from studies.common import RESULTS, cpu_seconds, new_case, save
-
-ALPHAS = {"0": 0.0, "1/3": 1/3, "2/3": 2/3, "5/3": 5/3, "10/3": 10/3}
+from cosserat.scenes.silo import (ALPHAS, REST, VOLUME, mesh_entries, rate,
+                                  refine)
+from studies.common import RESULTS, new_case, save
 
 #: Cells a unit length, and a mesh with smallest cells of 1/32 in the corners,
 #: with 9 points a cell and steps at a Courant number of 1
 MESHES = [4, 8, 16]
 REFINED = 32
 
-VOLUME = 25.0
-
-#: The paper's times, the initial one as the first step of the run at rest
-REST = 1e-9
 TIMES = [REST, 4.75e-4, 1.425e-3, 2.85e-3, 3.8e-3]
 
 

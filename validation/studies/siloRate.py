@@ -4,10 +4,10 @@ elements, with and without what is done about re-entrant corners."""
 import matplotlib.pyplot as plt
 import numpy as np
 
-from cosserat.case import residuals
+from cosserat.case import cpu_seconds, residuals
 from cosserat.references import SILO, SILO_SCENES
-from cosserat.silo import prepare, rate
-from studies.common import cell_ticks, cpu_seconds, new_case, save
+from cosserat.scenes.silo import prepare, rate
+from studies.common import cell_ticks, new_case, save
 
 MESHES = [4, 8, 16, 32]
 

@@ -6,9 +6,10 @@ the chance of the cells that the surface cuts."""
 import matplotlib.pyplot as plt
 import numpy as np
 
+from cosserat.case import cpu_seconds
 from cosserat.picture import outflow
-from studies.common import cpu_seconds, new_case, save
-from studies.siloDischarge import ALPHAS, VOLUME
+from cosserat.scenes.silo import ALPHAS, VOLUME
+from studies.common import new_case, save
 
 #: 64 columns: those of the corridors and of the floor one more than the 60
 MESH = {"nCorridor": 9, "nFloor": 17}

@@ -5,8 +5,8 @@ import re
 
 import matplotlib.pyplot as plt
 
+from cosserat.scenes.block import DEFAULT, block
 from studies.common import HERE, cell_ticks, save
-from studies.extremes import DEFAULT, block
 
 CELLS = [64, 128, 256, 512]
 
@@ -17,9 +17,8 @@ def run(n, contrast, model, repeat=3):
     if model == "classical":
         given.update(coupling=0.0, R=0.0)
     case = block(HERE/"runs/solveCost/case", **given, tolerance=1e-6)
-    path = case.path/"system/fvSolution"
-    path.write_text(path.read_text().replace(
-        "notConverged", "preconditioner { block multigrid; } notConverged"))
+    case.override("solution", creepingFlow="{ preconditioner"
+                  " { block multigrid; } }")
     done = case.run("Test-solveCost", "-repeat", repeat).stdout
     value = dict(re.findall(
         r"(flowSeconds|iterations|poissonIterations|poissonUnits|peakMemory)"

@@ -9,12 +9,12 @@ from functools import lru_cache
 import numpy as np
 
 from cosserat.analytic import GravityChannel, Material, ShearLayer, err
-from cosserat.case import FILES, RunError, residuals
+from cosserat.case import FILES, RunError, cpu_seconds, residuals
 from cosserat.picture import outflow
-from cosserat.silo import mesh_entries
-from cosserat.tradeoff import (distance, extrapolate, front, override)
-from studies.common import (HERE, PAPER, constant_material, cpu_seconds,
-                            new_case)
+from cosserat.scenes.layers import PAPER, constant_material
+from cosserat.scenes.silo import mesh_entries
+from cosserat.tradeoff import distance, extrapolate, front, override
+from studies.common import HERE, new_case
 from studies.speedAccuracyFigures import draw
 
 DEFAULT = {"pointsPerCell": 16, "velocity": "conservativeLinear",

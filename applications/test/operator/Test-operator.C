@@ -31,6 +31,14 @@ Description
     For meshes of a few hundred cells. The case is one of cosseratPicFoam with
     fractions in files.
 
+    With -state it writes instead what the operator makes of the fields U and
+    omega of the case and no pressure, to the file state: for each cell the
+    residual of u0, u1, p and omega (0 where there is none), and the gradient
+    of the velocity as G_00, G_01, G_10, G_11 with G_ij = u_j,i.
+
+Usage
+    Test-operator [-state]
+
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
@@ -41,8 +49,77 @@ Description
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
+//- The matrix, column by column
+static void writeMatrix(const cosseratSystem& system, Ostream& os)
+{
+    const label n = system.size();
+    scalarSquareMatrix A(n);
+    operatorState s(system.newState());
+    scalarField x(n, Zero), r;
+    for (label j = 0; j < n; ++j)
+    {
+        x[j] = 1;
+        system.residual(x, false, s, r);
+        x[j] = 0;
+        for (label i = 0; i < n; ++i)
+        {
+            A(i, j) = -r[i];
+        }
+    }
+
+    os  << n << nl;
+    for (label i = 0; i < n; ++i)
+    {
+        for (label j = 0; j < n; ++j)
+        {
+            os  << A(i, j) << (j + 1 < n ? ' ' : '\n');
+        }
+    }
+}
+
+
+//- Residual and gradient of a state
+static void writeState
+(
+    const cosseratSystem& system,
+    const volVectorField& U,
+    const volScalarField& omega,
+    Ostream& os
+)
+{
+    const planarFrame& frame = system.faces().frame();
+    const label n = system.nCells();
+    operatorState s(system.newState());
+    scalarField x(system.size(), Zero), r;
+    for (label celli = 0; celli < n; ++celli)
+    {
+        x[celli] = U[celli][frame.i0()];
+        x[n + celli] = U[celli][frame.i1()];
+        if (system.cosserat())
+        {
+            x[3*n + celli] = omega[celli];
+        }
+    }
+    system.residual(x, true, s, r);
+
+    for (label celli = 0; celli < n; ++celli)
+    {
+        for (label i = 0; i < 4; ++i)
+        {
+            os  << (i < system.layout().nBlocks() ? r[i*n + celli] : 0) << ' ';
+        }
+        for (label ij = 0; ij < 4; ++ij)
+        {
+            os  << s.G[celli][ij]
+                << (ij < 3 ? ' ' : '\n');
+        }
+    }
+}
+
+
 int main(int argc, char *argv[])
 {
+    argList::addBoolOption("state", "Residual and gradient of U and omega");
     #include "setRootCase.H"
     #include "createTime.H"
     #include "createMesh.H"
@@ -71,30 +148,16 @@ int main(int argc, char *argv[])
     system.updateWalls();
     system.update();
 
-    const label n = system.size();
-    scalarSquareMatrix A(n);
-    operatorState s(system.newState());
-    scalarField x(n, Zero), r;
-    for (label j = 0; j < n; ++j)
-    {
-        x[j] = 1;
-        system.residual(x, false, s, r);
-        x[j] = 0;
-        for (label i = 0; i < n; ++i)
-        {
-            A(i, j) = -r[i];
-        }
-    }
-
-    OFstream os("operator");
+    const word name(args.found("state") ? "state" : "operator");
+    OFstream os(name);
     os.precision(17);
-    os  << n << nl;
-    for (label i = 0; i < n; ++i)
+    if (args.found("state"))
     {
-        for (label j = 0; j < n; ++j)
-        {
-            os  << A(i, j) << (j + 1 < n ? ' ' : '\n');
-        }
+        writeState(system, U, omega, os);
+    }
+    else
+    {
+        writeMatrix(system, os);
     }
 
     return 0;

@@ -40,14 +40,13 @@ namespace functionObjects
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-const Foam::labelList&
-Foam::functionObjects::pointStatistics::count() const
+const Foam::materialPointCloud&
+Foam::functionObjects::pointStatistics::cloud() const
 {
-    return
-        mesh_.lookupObject<materialPointCloud>
-        (
-            materialPointCloud::cloudName
-        ).census().count();
+    return mesh_.lookupObject<materialPointCloud>
+    (
+        materialPointCloud::cloudName
+    );
 }
 
 
@@ -63,9 +62,10 @@ void Foam::functionObjects::pointStatistics::writeField
         mesh_,
         dimensionedScalar(name, dimless, offset)
     );
-    forAll(count(), celli)
+    const labelList& count = cloud().census().count();
+    forAll(count, celli)
     {
-        field[celli] += count()[celli];
+        field[celli] += count[celli];
     }
     field.write();
 }
@@ -101,7 +101,11 @@ Foam::functionObjects::pointStatistics::pointStatistics
         for
         (
             const char* column :
-            {"points", "mean", "deviation", "least", "most", "empty"}
+            {
+                "points", "mean", "deviation", "least", "most", "empty",
+                "volume [m3]", "in", "volume in [m3]", "added", "deleted",
+                "out", "volume out [m3]"
+            }
         )
         {
             writeTabbed(file(), column);
@@ -130,7 +134,7 @@ bool Foam::functionObjects::pointStatistics::execute()
     label points = 0, empty = 0, least = labelMax, most = 0;
     scalar squares = 0;
 
-    for (const label n : count())
+    for (const label n : cloud().census().count())
     {
         points += n;
         squares += sqr(scalar(n));
@@ -149,13 +153,20 @@ bool Foam::functionObjects::pointStatistics::execute()
     const scalar deviation =
         Foam::sqrt(max(squares/cells - sqr(mean), scalar(0)));
 
+    const pointAccount& books = cloud().account();
+
     if (Pstream::master())
     {
         writeCurrentTime(file());
         file()
             << token::TAB << points << token::TAB << mean
             << token::TAB << deviation << token::TAB << least
-            << token::TAB << most << token::TAB << empty << endl;
+            << token::TAB << most << token::TAB << empty
+            << token::TAB << books.volumeInside()
+            << token::TAB << books.nIn() << token::TAB << books.volumeIn()
+            << token::TAB << books.nAdded() << token::TAB << books.nDeleted()
+            << token::TAB << books.nOut() << token::TAB << books.volumeOut()
+            << endl;
     }
 
     Log << type() << ' ' << name() << ": " << points << " points, " << mean

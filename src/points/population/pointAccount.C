@@ -144,18 +144,30 @@ void Foam::pointAccount::compare
 }
 
 
-void Foam::pointAccount::report(const materialPointCloud& cloud) const
+Foam::label Foam::pointAccount::nOut() const
 {
-    longSum volumeOut;
+    return sum(nOut_);
+}
+
+
+Foam::scalar Foam::pointAccount::volumeOut() const
+{
+    longSum all;
     for (const longSum& v : volumeOut_)
     {
-        volumeOut += v.value();
+        all += v.value();
     }
 
+    return all.value();
+}
+
+
+void Foam::pointAccount::report(const materialPointCloud& cloud) const
+{
     Info<< "Material points: " << nInside_ << " inside (" << volumeInside_
         << " m3); since the start " << nIn_ << " in (" << volumeIn_.value()
         << " m3), " << nAdded_ << " added, " << nDeleted_ << " deleted, "
-        << sum(nOut_) << " out (" << volumeOut.value() << " m3)";
+        << nOut() << " out (" << volumeOut() << " m3)";
 
     forAll(nOut_, patchi)
     {

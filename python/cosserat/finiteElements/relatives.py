@@ -1,11 +1,11 @@
-"""The relatives of the silo's corner (cosserat.relatives) by finite elements:
+"""The relatives of the silo's corner (cosserat.scenes.relatives) by finite elements:
 the scenes are those of the flow solver's cases."""
 
 import numpy as np
 
-from cosserat.relatives import OPEN, SLIP
-from finiteElements.flow import Flow, Wall
-from finiteElements.mesh import Mesh, graded_lines
+from cosserat.scenes.relatives import OPEN, SLIP
+from cosserat.finiteElements.flow import Flow, Wall
+from cosserat.finiteElements.mesh import Mesh, graded_lines
 
 
 def relative_flow(scene, degree=4, size=0.25, smallest=1e-20, ratio=0.2):

@@ -1,13 +1,13 @@
 """Heavy bodies, stiff or soft, in a box of free-slip walls: a block and a
 disc, cells of which the sides or the edge may cut.
 
-Of the scenes of cosserat.jumps; see there for units.
+Of the scenes of cosserat.scenes.jumps; see there for units.
 """
 
 import numpy as np
 
-from cosserat import regions
-from cosserat.box import Box
+from cosserat.scenes import regions
+from cosserat.scenes.box import Box
 from cosserat.references import JUMPS
 from cosserat.results import DEPTH, Result, against, at, power
 from cosserat.triangles import nearest_side, write_polygons

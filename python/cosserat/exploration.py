@@ -1,8 +1,9 @@
 """Accuracy against cost of a user's own case: the case on several meshes and
 with several numbers of points a cell, compared with the limit that Richardson
-extrapolation gives. Usage: validation/Allrun tradeOff -case DIR."""
+extrapolation gives."""
 
 import argparse
+import json
 import os
 import shutil
 from pathlib import Path
@@ -10,15 +11,13 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 
-from cosserat.case import FILES, Case
+from cosserat.case import FILES, Case, cpu_seconds
 from cosserat.tradeoff import (distance, extrapolate, front, override, refine,
                                restrict)
-from studies.common import HERE, cpu_seconds, save, write
 
 
-def copy(source, name):
-    """A clean copy of the case in runs/tradeOff."""
-    target = HERE/"runs/tradeOff"/name
+def copy(source, target):
+    """A clean copy of the case."""
     shutil.rmtree(target, ignore_errors=True)
     if (source/"0.orig").is_dir():
         return Case.copy(source, target)
@@ -28,11 +27,12 @@ def copy(source, name):
     return Case(target)
 
 
-def run(source, factor, points):
+def run(source, folder, factor, points):
     """The case with its cells along each side multiplied by a factor, and
     points a cell (None: as it is). Returns a row, and centres, volumes and
     velocity of its cells at the end."""
-    case = copy(source, f"{factor:g}-{points or 'own'}")
+    case = copy(source, folder/f"{factor:g}-{points or 'own'}")
+    case.timeout = None
     with (case.path/"system/controlDict").open("a") as text:
         text.write("\nwriteFormat ascii; writeCompression off;"
                    " writeControl adjustableRunTime; writeInterval $endTime;\n")
@@ -49,17 +49,17 @@ def run(source, factor, points):
     return row, (case.centres(), case.volumes(), case.field("U")[:, :2])
 
 
-def explore(source, coarsest, points):
+def explore(source, folder, coarsest, points):
     """Rows of the case: error of the velocity at the end on meshes whose cells
     are multiplied by coarsest, 2 coarsest and 4 coarsest a side, and of each
     number of points on the middle one."""
     levels = [coarsest*2**i for i in range(3)]
-    runs = [run(source, factor, None) for factor in levels]
+    runs = [run(source, folder, factor, None) for factor in levels]
     cells = runs[0][1][0]
     limit, order, uncertainty = extrapolate(*(
         restrict(*fields, cells) for _, fields in runs))
     # Points a cell of the case itself are among the meshes
-    runs += [run(source, levels[1], n) for n in points]
+    runs += [run(source, folder, levels[1], n) for n in points]
     rows = [{**row, "error": distance(restrict(*fields, cells), limit),
              "errorUncertainty": uncertainty, "order": order}
             for row, fields in runs]
@@ -69,7 +69,7 @@ def explore(source, coarsest, points):
     return rows
 
 
-def draw(rows, name):
+def draw(rows, name, path):
     """Error against processor time, with the front."""
     figure, axis = plt.subplots(figsize=(6, 4.2), dpi=130)
     for own, mark, label in (
@@ -93,14 +93,16 @@ def draw(rows, name):
     axis.set_ylabel("error of the velocity")
     axis.grid(alpha=0.3)
     axis.legend(fontsize=8)
-    save(figure, "tradeOff")
+    figure.tight_layout()
+    figure.savefig(path)
     plt.close(figure)
 
 
-def main(arguments):
-    """The command line."""
+def main(arguments, prog, folder):
+    """The command line of a program; its cases are run in runs/tradeOff of a
+    folder, and results/tradeOff.json and .png are written there."""
     parser = argparse.ArgumentParser(
-        prog="validation/Allrun tradeOff", description=__doc__)
+        prog=prog, description=__doc__)
     parser.add_argument("-case", required=True, type=Path, metavar="DIR",
                         help="a case with system/blockMeshDict, ready to run")
     parser.add_argument(
@@ -116,10 +118,12 @@ def main(arguments):
         raise SystemExit(f"no system/blockMeshDict in {given.case}: the mesh"
                          " is refined through it")
     has_points = (source/"constant/materialPointsProperties").is_file()
-    rows = explore(source.resolve(), given.coarsest,
+    rows = explore(source.resolve(), folder/"runs/tradeOff", given.coarsest,
                    given.points if has_points else [])
-    draw(rows, source.resolve().name)
-    path = write("tradeOff", rows)
+    path = folder/"results/tradeOff.json"
+    path.parent.mkdir(exist_ok=True)
+    path.write_text(json.dumps({"rows": rows}, indent=1))
+    draw(rows, source.resolve().name, path.with_suffix(".png"))
 
     print(f"\n{'cells':>8} {'points':>7} {'time [s]':>9} {'error':>8}  front")
     for row in rows:

@@ -1,6 +1,7 @@
 """A box with one or two materials, written from scratch: the scene of
 tests and studies that no tutorial covers."""
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -12,23 +13,58 @@ HEADER = """FoamFile
 {{ version 2.0; format ascii; class {cls}; object {name}; }}
 """
 
+#: A classical fluid, and a second one
+ONE = {"a": {"eta": 1, "etaC": 0, "R": 0}}
+TWO = {**ONE, "b": {"eta": 3, "etaC": 0, "R": 0}}
+
 VECTOR, SCALAR = "volVectorField", "volScalarField"
 
 SIDES = {"left": "(0 4 7 3)", "right": "(1 2 6 5)",
          "bottom": "(0 1 5 4)", "top": "(3 7 6 2)"}
 
 
+#: Walls of U and omega: at rest; those of the exact solution; a flow from left
+#: to right at 1 m/s
+STILL = ("type noSlip;", "type zeroGradient;")
+TURN = {side: ("exact", "exact") for side in SIDES}
+FORWARD = {side: ("type fixedValue; value uniform (1 0 0);",
+                  "type zeroGradient;") for side in ("left", "right")}
+
+
 def add_points(case, regions, dye="", pointsPerCell=16, **entries):
     """Give a case material points, and take away its fractions; entries are
     those of materialPointsProperties."""
-    text = "\n".join(f"{key} {value};" for key, value in entries.items())
     (case.path/"constant/materialPointsProperties").write_text(f"""
 FoamFile {{ version 2.0; format ascii; class dictionary; object x; }}
 seeding {{ pointsPerCell {pointsPerCell}; regions ({regions}); dye ({dye}); }}
-{text}
 """)
+    case.override("points", **entries)
     for alpha in (case.path/"0").glob("alpha.*"):
         alpha.unlink()
+    count(case)
+
+
+def count(case):
+    """Let a case with points count them in each step."""
+    case.measure("points", "pointStatistics", "writeControl none;")
+
+
+def account(case):
+    """The books at the end of a run that counts its points: inside, volume,
+    in, volume, added, deleted, out, volume; the volumes in m3."""
+    row = case.table("points", "pointStatistics.dat")[-1]
+    return [row[1], *row[7:]]
+
+
+def retype(case, kind, *sides):
+    """Give sides of a meshed box another type of mesh patch."""
+    path = case.path/"constant/polyMesh/boundary"
+    text = path.read_text()
+    for side in sides:
+        text = re.sub(rf"(\b{side}\s*{{\s*type\s+)\w+;", rf"\1{kind};", text)
+        text = re.sub(rf"(\b{side}\s*{{[^}}]*?)inGroups\s+[^;]*;", r"\1", text)
+    path.write_text(text)
+    return case
 
 
 class Box:

@@ -1,7 +1,7 @@
 """Stiff and soft bodies by finite elements: the scenes `disc` and `block` of
-cosserat.jumps, whose cells follow the body's edge.
+cosserat.scenes.jumps, whose cells follow the body's edge.
 
-    cd validation; python3 -m finiteElements.jumps [NAME ...]
+    python3 -m cosserat.finiteElements.jumps [NAME ...]
 
 prints every number of cosserat.references.JUMPS, on two meshes. The box is
 that of the scenes, |x| < 1/2 and |y| < 1/2, all its walls of free slip,
@@ -13,9 +13,9 @@ from time import process_time
 
 import numpy as np
 
-from finiteElements.flow import Flow
-from finiteElements.mesh import Mesh, graded_lines
-from finiteElements.tutorials import CENTRE, RADIUS, at, disc_flow, slip
+from cosserat.finiteElements.flow import Flow
+from cosserat.finiteElements.mesh import Mesh, graded_lines
+from cosserat.finiteElements.tutorials import CENTRE, RADIUS, at, disc_flow, slip
 
 #: Half the side of the block [m], and the internal length of Cosserat media
 HALF, R = 1/8, 0.05

@@ -7,7 +7,7 @@ import numpy as np
 from scipy.sparse import bmat, bsr_matrix, coo_matrix, diags
 from scipy.sparse.linalg import splu
 
-from finiteElements.shapes import Lagrange, gauss, monomials
+from cosserat.finiteElements.shapes import Lagrange, gauss, monomials
 
 #: Two sides whose normals differ by more than this make a corner [rad]
 CORNER = 0.3

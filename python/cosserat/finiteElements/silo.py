@@ -3,8 +3,8 @@
 import numpy as np
 
 from cosserat.references import Silo
-from finiteElements.flow import Flow, Wall
-from finiteElements.mesh import Mesh, lines
+from cosserat.finiteElements.flow import Flow, Wall
+from cosserat.finiteElements.mesh import Mesh, lines
 
 
 def silo_mesh(scene, size=0.5, smallest=1e-8, contact=1e-40, ratio=0.2):

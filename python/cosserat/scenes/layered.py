@@ -1,15 +1,15 @@
 """Media side by side that have a formula: SolCx, layers along a box and
 across its cells, a channel of columns.
 
-Of the scenes of cosserat.jumps; see there for units.
+Of the scenes of cosserat.scenes.jumps; see there for units.
 """
 
 import numpy as np
 
-from cosserat import regions
+from cosserat.scenes import regions
 from cosserat.analytic import Layers, Material, SolCx
-from cosserat.bodies import media
-from cosserat.box import Box
+from cosserat.scenes.bodies import media
+from cosserat.scenes.box import Box
 from cosserat.results import against, l2
 
 HELD = "type fixedValue; value uniform 0;"

@@ -1,9 +1,9 @@
 """Reference solutions by a staggered scheme (numpy and scipy): stiff and soft
 rectangles whose sides are grid lines, classical and Cosserat.
 
-    cd validation; python3 -m staggered [CELLS]
+    python3 -m cosserat.staggered [CELLS]
 
-prints the numbers of the block of cosserat.jumps on three grids, with their
+prints the numbers of the block of cosserat.scenes.jumps on three grids, with their
 limit. It shares nothing with the solver, nor with the finite elements, but the
 equations.
 
@@ -212,7 +212,7 @@ HALF, R = 1/8, 0.05
 
 
 def block(cells, contrast, cosserat=False):
-    """The block of cosserat.jumps, the right half of the box: mean velocity
+    """The block of cosserat.scenes.jumps, the right half of the box: mean velocity
     [m/s], its largest difference over the mean, and difference of pressure
     [Pa] at y = 0.04 and -0.04 on the axis. cells: of each part of a line."""
     x = graded([0, HALF, 0.5], [HALF], cells)

@@ -6,7 +6,7 @@ the viscosities of the body (of the upper layer, the right half) to those of
 the rest, which are 1. Fractions of cut cells are exact areas; with `points` a
 cell holds a lattice of so many instead.
 
-    python3 -m cosserat.jumps SCENE CONTRAST CELLS [MEAN]
+    python3 -m cosserat.scenes.jumps SCENE CONTRAST CELLS [MEAN]
 
 prints the quantities of a scene.
 """
@@ -16,8 +16,8 @@ import sys
 from dataclasses import dataclass
 from typing import Callable, Optional
 
-from cosserat import bodies, layered
-from cosserat.box import add_points
+from cosserat.scenes import bodies, layered
+from cosserat.scenes.box import add_points
 from cosserat.case import residuals
 from cosserat.results import balance
 

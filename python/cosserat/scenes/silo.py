@@ -9,6 +9,15 @@ from cosserat.case import FILES
 #: Depth of the mesh [m]
 DEPTH = 0.1
 
+#: Internal lengths in apertures
+ALPHAS = {"0": 0.0, "1/3": 1/3, "2/3": 2/3, "5/3": 5/3, "10/3": 10/3}
+
+#: The fill [m2]
+VOLUME = 25.0
+
+#: Time in which nothing moves [s]
+REST = 1e-9
+
 #: Lengths of the blocks of the tutorial's blockMeshDict
 BLOCKS = {"nWall": 0.25, "nAperture": 1, "nCorridor": 1, "nAbove": 1,
           "nFloor": 2, "nBelow": 3.75, "nFill": 5}
@@ -17,6 +26,10 @@ BLOCKS = {"nWall": 0.25, "nAperture": 1, "nCorridor": 1, "nAbove": 1,
 def mesh_entries(cells):
     """Entries of blockMeshDict for a number of cells a unit length."""
     return {key: max(round(length*cells), 1) for key, length in BLOCKS.items()}
+
+
+#: Those of half the resolution of the tutorial
+COARSE = mesh_entries(4)
 
 
 def reshape(case, silo, cells):
@@ -42,9 +55,7 @@ def prepare(case, silo, cells, corners=True, tolerance=1e-8):
         "writeControl": "timeStep", "writeInterval": 1, "writePrecision": 12})
     case.substitute(FILES["solution"], {"tolerance": tolerance})
     if not corners:
-        path = case.path/FILES["solution"]
-        path.write_text(path.read_text().replace(
-            "tolerance", "corners         off;\n    tolerance", 1))
+        case.override("solution", creepingFlow="{ corners off; }")
 
     path = case.path/FILES["materials"]
     text = path.read_text()

@@ -10,7 +10,7 @@ from typing import Callable
 
 import numpy as np
 
-from cosserat.box import Box
+from cosserat.scenes.box import Box
 from cosserat.case import parse_list
 
 #: Thickness of the solver's meshes [m]

@@ -1,7 +1,7 @@
 """The tutorials at their start by finite elements: the numbers of
 cosserat.references that nobody has published.
 
-    cd validation; python3 -m finiteElements.tutorials [NAME ...]
+    python3 -m cosserat.finiteElements.tutorials [NAME ...]
 
 solves each scene on two meshes and prints number and difference. SI units;
 powers, as all else here, per metre along z.
@@ -15,9 +15,9 @@ import numpy as np
 from cosserat.analytic import granular_contact
 from cosserat.case import TUTORIALS
 from cosserat.references import SILO_SCENES
-from finiteElements.flow import Flow, Wall
-from finiteElements.mesh import Mesh, between, lines
-from finiteElements.silo import silo_rate
+from cosserat.finiteElements.flow import Flow, Wall
+from cosserat.finiteElements.mesh import Mesh, between, lines
+from cosserat.finiteElements.silo import silo_rate
 
 NEAR = 1e-6
 

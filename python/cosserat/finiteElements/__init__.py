@@ -1,6 +1,6 @@
 """Independent reference solutions by finite elements (numpy and scipy).
 
-    from finiteElements import Flow, Mesh, Wall, between, lines
+    from cosserat.finiteElements import Flow, Mesh, Wall, between, lines
 
     mesh = Mesh.tensor(lines([0, 1], 0.1), lines([0, 0.5, 1], 0.1),
                        keep=lambda x, y: (x < 0.5) | (y < 0.5))
@@ -22,7 +22,7 @@ Wall: velocity, free slip on any slope, omega, traction, couple.
 Flow: solution; flux, at, wall_load, dissipation, power, u, omega, xy.
 """
 
-from finiteElements.flow import Flow, Wall
-from finiteElements.mesh import Mesh, between, graded_lines, lines
+from cosserat.finiteElements.flow import Flow, Wall
+from cosserat.finiteElements.mesh import Mesh, between, graded_lines, lines
 
 __all__ = ["Flow", "Mesh", "Wall", "between", "graded_lines", "lines"]
