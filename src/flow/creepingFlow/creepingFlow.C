@@ -245,8 +245,8 @@ void Foam::creepingFlow::checkLoads() const
                 << " m3/s net, with speeds that could bring " << magnitude
                 << " m3/s, into a"
                 << " closed and incompressible body" << nl
-                << "    Allowed: as much out as in, or a patch with given p_rgh, or a"
-                << " finite bulk viscosity B" << exit(FatalError);
+                << "    Allowed: as much out as in, or a patch with given"
+                << " p_rgh, or a finite bulk viscosity B" << exit(FatalError);
         }
     }
 

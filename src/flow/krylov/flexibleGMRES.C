@@ -100,7 +100,7 @@ Foam::scalar Foam::flexibleGMRES::orthogonalise
 ) const
 {
     // Classical Gram-Schmidt, one reduction a pass, which also gives the
-    // length that remains. Another pass where that is small compared with what was
+    // length that remains. Another pass where that is small against what was
     // taken away; twice is enough
     scalarList products(n + 1);
     scalar sqrLength = 0;
