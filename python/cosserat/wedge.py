@@ -1,4 +1,4 @@
-"""Singular creeping flow in a wedge between two walls (docs/corners.md, 1): the
+"""Singular creeping flow in a wedge between two walls (docs/corners.md, section 1): the
 exponents lambda of u ~ r^lambda.
 
 Written apart from the solver's own (cornerFlow.C), as a check of it: all

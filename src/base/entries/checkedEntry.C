@@ -92,7 +92,7 @@ namespace Foam
         {
             checkedEntry::refuse
             (
-                dict, key, "more than a number: does a ';' lack?", allowed
+                dict, key, "more than a number: is a ';' missing?", allowed
             );
         }
 
@@ -129,7 +129,7 @@ namespace Foam
 
 bool Foam::checkedEntry::inRange(const scalar value)
 {
-    // Not so where it is no number
+    // Not so where it is not a number
     return mag(value) <= largest;
 }
 

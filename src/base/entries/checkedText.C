@@ -167,7 +167,7 @@ void Foam::checkedText::refuse(const char open, const label line) const
 void Foam::checkedText::refuseClosing() const
 {
     FatalIOErrorInFunction(is_)
-        << "'" << token_.c_str() << "' closes nothing, behind entry '"
+        << "'" << token_.c_str() << "' closes nothing, after entry '"
         << key_.c_str() << "'; OpenFOAM would read no further" << nl
         << "    Allowed: as many brackets closed as opened"
         << exit(FatalIOError);
@@ -194,7 +194,7 @@ void Foam::checkedText::readEntries(const bool file, const label line)
         {
             FatalIOErrorInFunction(is_)
                 << "'" << token_.c_str() << "' stands where an entry has to"
-                << " begin, behind entry '" << key_.c_str() << "'" << nl
+                << " begin, after entry '" << key_.c_str() << "'" << nl
                 << "    Allowed: as many brackets closed as opened, and each"
                 << " entry ended by ';'" << exit(FatalIOError);
         }
@@ -254,7 +254,7 @@ void Foam::checkedText::readValue()
                 return;
             }
             FatalIOErrorInFunction(is_)
-                << "Entry '" << key.c_str() << "' has no end" << nl
+                << "Entry '" << key.c_str() << "' is not ended" << nl
                 << "    Allowed: each entry ended by ';'" << exit(FatalIOError);
         }
         if (token_ == "[")

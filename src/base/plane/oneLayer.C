@@ -65,7 +65,7 @@ namespace Foam
             mesh.faces(), mesh.points()
         ), false);
 
-        // Not so where it is no number
+        // Not so where it is not a number
         if (!(V > smallestVolume*cmptProduct(box.span())))
         {
             refuse(mesh, celli, "has the volume " + name(V) + " m3");

@@ -246,8 +246,8 @@ void Foam::creepingFlow::checkLoads() const
                 << " m3/s net, with speeds that could bring " << magnitude
                 << " m3/s, into a"
                 << " closed and incompressible body" << nl
-                << "    Allowed: none net, or a patch with given p_rgh, or a"
-                << " finite bulk viscosity B" << exit(FatalError);
+                << "    Allowed: as much out as in, or a patch with given"
+                << " p_rgh, or a finite bulk viscosity B" << exit(FatalError);
         }
     }
 
@@ -461,8 +461,8 @@ void Foam::creepingFlow::report()
             << nl
             << "    Cures, in system/fvSolution, creepingFlow: a larger"
             << " maxIter or nDirections, block direct in preconditioner, a"
-            << " larger tolerance; or notConverged warn, to go on all the"
-            << " same." << nl
+            << " larger tolerance; or notConverged warn, to go on"
+            << " regardless." << nl
             << "    In the scene: cells nearer to squares (from about 10 : 1"
             << " and 45 degrees on they cost iterations), a smaller etaC/eta or"
             << " contrast (beyond 1e3 and 1e6 the flow hardly depends on"

@@ -51,7 +51,7 @@ namespace Foam
         os  << "        " << name << ": ";
         if (nBad)
         {
-            os  << "no number in " << nBad << " cells" << nl;
+            os  << "not a number in " << nBad << " cells" << nl;
         }
         else
         {
@@ -78,8 +78,8 @@ void Foam::creepingFlow::refuseNotFinite() const
     printRange(FatalError, "M [Pa s m2]", materials_.M());
 
     FatalError
-        << "    One of these, a load or a value on a patch is no number, or so"
-        << " large or small that products of them are none"
+        << "    One of these, a load or a value on a patch is not a number,"
+        << " or so large or small that their products are not"
         << exit(FatalError);
 }
 
@@ -104,7 +104,7 @@ void Foam::creepingFlow::checkPressureWork
             << " flow is wrong" << nl
             << "    Allowed: less than the supply. Cells nearer to squares,"
             << " smaller cells, smaller jumps of the viscosity; or"
-            << " notConverged warn, to go on all the same"
+            << " notConverged warn, to go on regardless"
             << exit(FatalError);
     }
 }

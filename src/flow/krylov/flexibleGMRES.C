@@ -31,8 +31,8 @@ License
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
 //- Share of the squared length of a vector that must remain when others are
-//- taken out, lest what remains be no longer orthogonal to them: with a tenth
-//- sheared meshes take 92 iterations instead of 41
+//- taken out; otherwise the rest is no longer orthogonal to them (with a tenth
+//- sheared meshes take 92 iterations instead of 41)
 static const Foam::scalar remaining = 0.5;
 
 
@@ -101,7 +101,7 @@ Foam::scalar Foam::flexibleGMRES::orthogonalise
 ) const
 {
     // Classical Gram-Schmidt, one reduction a pass, which also gives the
-    // length that remains. Another pass where that is small beside what was
+    // length that remains. Another pass where that is small against what was
     // taken away; twice is enough
     scalarList products(n + 1);
     scalar sqrLength = 0;

@@ -400,8 +400,8 @@ bool Foam::flowBoundary::update()
                     << "Patch " << Up.patch().name() << " of field U:"
                     << " the traction has a normal part of up to "
                     << gMax(mag(traction & n)) << " Pa" << nl
-                    << "    Allowed: a tangential traction; the wall takes"
-                    << " the normal one" << exit(FatalError);
+                    << "    Allowed: a tangential traction; the normal"
+                    << " one is the wall's own" << exit(FatalError);
             }
         }
 

@@ -26,7 +26,7 @@ License
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
-//- Largest miss that is clipped: that of the sum of the fractions
+//- Largest miss that is clipped, also in the sum of the fractions
 static const Foam::scalar largestMiss = 1e-6;
 
 
@@ -58,7 +58,7 @@ void Foam::givenFractions::check(PtrList<volScalarField>& fractions)
             const scalar clipped = min(max(alpha[celli], scalar(0)), scalar(1));
             const scalar miss = mag(alpha[celli] - clipped);
 
-            // Not so where it is no number
+            // Not so where it is not a number
             if (!(miss <= largestMiss))
             {
                 refuse(alpha, celli);

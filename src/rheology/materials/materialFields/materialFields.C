@@ -52,7 +52,7 @@ Foam::PtrList<Foam::material> Foam::materialFields::readMaterials() const
         {
             checkedEntry::refuse
             (
-                all, e.keyword(), "no dictionary", "one dictionary a material"
+                all, e.keyword(), "no dictionary", "one dictionary per material"
             );
         }
         materials.set(n++, new material(e.keyword(), e.dict()));
@@ -62,7 +62,7 @@ Foam::PtrList<Foam::material> Foam::materialFields::readMaterials() const
     {
         checkedEntry::refuse
         (
-            dict_, "materials", "empty", "one dictionary a material"
+            dict_, "materials", "empty", "one dictionary per material"
         );
     }
 
