@@ -79,13 +79,11 @@ Foam::materialPoint::materialPoint
     particle(mesh, position, celli),
     material_(label(numbers[0])),
     dye_(label(numbers[1])),
-    volume_(numbers[2]),
-    values_
-    (
-        SubList<scalar>(numbers, numbers.size() - nOwnNumbers, nOwnNumbers)
-    )
+    volume_(numbers[2])
 {
     startStep();
+    values_ =
+        SubList<scalar>(numbers, numbers.size() - nOwnNumbers, nOwnNumbers);
 }
 
 

@@ -64,7 +64,7 @@ Foam::materialPoint::materialPoint
         {
             is.read(reinterpret_cast<char*>(&material_), sizeofFields());
         }
-        is  >> values_;
+        values_ = scalarList(is);
     }
 
     is.check(FUNCTION_NAME);
@@ -184,7 +184,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const materialPoint& p)
             p.sizeofFields()
         );
     }
-    os  << p.values_;
+    os  << p.values_.list();
 
     os.check(FUNCTION_NAME);
     return os;
