@@ -147,6 +147,7 @@ def laplacian(f, x, y, h):
             - 4*f(x, y))/h**2
 
 
+@pytest.mark.slow
 def test_eccentric_cylinders_with_microrotation():
     """On one axis the annular Couette flow; beside it the walls are met and
     both balances hold: M div grad omega = 4 etaC omega - 2 etaC curl u, and

@@ -8,6 +8,7 @@ from cosserat.scenes import overturn, rigidShear
 from cosserat.scenes.box import add_points
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("average, order", [
     ("cellMean", 1), ("linearLeastSquares", 2)])
 def test_orders_of_rigid_shear(tmp_path, average, order):
@@ -22,6 +23,7 @@ def test_orders_of_rigid_shear(tmp_path, average, order):
     assert rows[1]["errP"] < 1.2e-3
 
 
+@pytest.mark.slow
 def test_average_of_moved_points(tmp_path):
     """The density after half a turn is as good as at the start."""
     row = rigidShear.run(tmp_path/"moved", "linearLeastSquares", 16, 16,
@@ -60,6 +62,7 @@ def test_fractions_are_limited(box, average):
     assert np.abs(alpha[mixed] - mean).max() < 0.3
 
 
+@pytest.mark.slow
 def test_orders_of_coupling(tmp_path):
     """Halving the step divides the error of the points by 2 with a frozen
     flow and by 4 with an extrapolated one; solved at mid-step it is smaller

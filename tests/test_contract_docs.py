@@ -37,6 +37,7 @@ def test_profile(box, name):
     assert out == pytest.approx((1.5 - 6*y**2).mean()*0.1, rel=1e-8)
 
 
+@pytest.mark.slow
 def test_force(box):
     """The channel of its analytic solution, and twice the force is twice the
     flow."""
@@ -57,6 +58,7 @@ def test_force(box):
     assert np.allclose(flows[1], 2*flows[0], rtol=1e-7)
 
 
+@pytest.mark.slow
 def test_length_or_bending(box):
     """R and M of the page are the same material, and neither is none."""
     flows = []

@@ -57,6 +57,7 @@ def follow(case, places):
     case.measure("followed", "pointTracers", f"places ({text});")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("order", [
     {"b": (3, 1), "a": (1, 2)}, {"air": (1, 0), "a": (1, 2), "b": (3, 1)},
@@ -93,6 +94,7 @@ def test_material_that_is_gone(scene, left):
         assert word in text, text
 
 
+@pytest.mark.slow
 def test_decomposed_and_reconstructed(scene):
     """The names go with the time, one way and back."""
     case = scene(ranks=2)
@@ -126,6 +128,7 @@ def test_dye_stays_when_patterns_change(scene):
 PLACES = [(-0.3, 0.3), (0.1, 0.2), (0.25, -0.4)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("later", [
     [2, 0, 1], [1], [0, 1, 2, (0.4, 0.4)], [(0.4, 0.4), 2, 0]])
 def test_tracers_in_another_order(scene, later):

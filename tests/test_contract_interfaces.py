@@ -39,6 +39,7 @@ def run_fixture(box):
     return make
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_vtkCloud(run, ranks):
     """Places, material, dye and volume are those of the cloud written."""
@@ -96,6 +97,7 @@ def test_particleDistribution(run):
     assert list(case.path.glob("postProcessing/spread/**/*"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_solverInfo(run, ranks):
     """Residuals and iterations are those of the log; omega's too."""
@@ -138,6 +140,7 @@ stop
     assert case.times() == ["0.12"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_stress_is_there_for_others(run, ranks):
     """Sampled as it is written: by a probe, as a mean over the volume, and

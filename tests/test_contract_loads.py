@@ -161,6 +161,7 @@ def test_walls_bear_the_weight_of_a_flow(box, region, shear):
     assert abs(force[0]) < 1e-8*mass
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_silo(tutorial, ranks):
     """The tutorial's walls bear the weight of its fill, with the part of the

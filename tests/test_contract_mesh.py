@@ -135,6 +135,7 @@ def test_one_corner_out_of_place(block):
     assert "0.01 m beside" in text
 
 
+@pytest.mark.slow
 def test_what_rounding_leaves_is_borne(block):
     """Corners over each other to a millionth: the flow of the exact mesh."""
     exact, case = block("exact"), block("case")

@@ -110,6 +110,7 @@ def test_arrays_are_those_of_ascii(scene, plane, format, compression, handler):
     assert np.isclose(case.centroid(1)[j], plain.centroid(1)[1], atol=1e-6)
 
 
+@pytest.mark.slow
 def test_collated(scene):
     """Of two ranks, reconstructed."""
     plain, case = scene(), scene("xy", "binary", "off", "collated")
@@ -137,6 +138,7 @@ def shares(file):
     return np.array(found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("plane, format, compression", [
     ("xz", "ascii", "off"), ("yz", "binary", "off"), ("xy", "binary", "on"),
     ("xz", "ascii", "on")])
@@ -152,6 +154,7 @@ def test_picture_is_that_of_ascii_in_xy(scene, tmp_path, plane, format,
     assert np.allclose(other, plain, rtol=0.05)
 
 
+@pytest.mark.slow
 def test_what_is_not_reconstructed_is_told(scene, tmp_path):
     """Without a traceback."""
     case = Case(shutil.copytree(scene("xy", "binary", "off", "collated").path,
@@ -178,6 +181,7 @@ def test_units(dimensions, unit):
     assert units.unit(dimensions) == unit
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("field, component, text", [
     ("omega", None, "omega [1/s]"), ("U", None, "|U| [m/s]"),
     ("U", "y", "U$_{y}$ [m/s]"), ("p", None, "p [Pa]"),
@@ -203,6 +207,7 @@ def test_component_of_a_tensor(scene):
         picture.select(scene().field("U"), "xy")
 
 
+@pytest.mark.slow
 def test_arrows_have_a_scale(scene, tmp_path):
     """A key with a speed, to one digit."""
     done = draw(scene(), tmp_path/"a.svg", "-arrows")
@@ -236,6 +241,7 @@ def test_streamlines_are_those_of_the_flow(scene, plane):
     assert np.abs(np.diff(radii, axis=1)).max() < 0.02
 
 
+@pytest.mark.slow
 def test_views_of_dye_and_names(scene, tmp_path):
     """Marks in their colours, materials by name, in the legend too."""
     done = draw(scene(), tmp_path/"a.svg", "-dye", "-material", "sand")

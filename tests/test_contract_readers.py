@@ -144,6 +144,7 @@ CODE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CODE)
 def test_code(lid, expected, name):
     """Compiled where the user is not root, which OpenFOAM asks for; where root

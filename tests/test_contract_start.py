@@ -39,6 +39,7 @@ def layers_fixture(box):
     return make
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("miss", [-2e-16, -3e-7, 1 + 4e-9])
 def test_fraction_off_by_rounding_is_clipped(layers, miss):
     """To the nearer end, which the log says; the power is that of the fraction
@@ -85,6 +86,7 @@ def test_overflow_names_what_there_is(layers):
         assert word in text, text
 
 
+@pytest.mark.slow
 def test_solve_once(box):
     """The flow of the start time is written there, of the points as they are
     seeded, with function objects; a run from there is the run from files."""
@@ -115,6 +117,7 @@ def test_solve_once(box):
                        atol=1e-9)
 
 
+@pytest.mark.slow
 def test_solve_once_on_two_ranks(box):
     """As on one."""
     fields = []

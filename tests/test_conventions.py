@@ -46,6 +46,7 @@ def test_options_of_the_solver(template):
         assert word in text, word
 
 
+@pytest.mark.slow
 def test_completion_of_options():
     """In an interactive shell, by OpenFOAM's own completion."""
     text = subprocess.run(
@@ -112,6 +113,7 @@ def test_postProcess_gives_what_the_run_gave(template):
     assert "cosseratPicFoam -postProcess" in said
 
 
+@pytest.mark.slow
 def test_foamLog(template):
     """Residuals, iterations, Courant numbers and times of each step."""
     case = template()
@@ -130,6 +132,7 @@ def test_foamLog(template):
         assert np.isfinite(rows[:, 1]).all(), name
 
 
+@pytest.mark.slow
 def test_changeDictionary_and_foamDictionary(template):
     """A floor made smooth by the one is seen by the other, and lets slide."""
     rough, case = template("rough"), template()
@@ -212,6 +215,7 @@ useHexTopology no; geometricCut yes; writeMesh no;
     assert worst_residual(case.log()) <= 1e-6
 
 
+@pytest.mark.slow
 def test_mapFields(template):
     """A flow mapped to a finer mesh, with its points, is where the run goes
     on."""

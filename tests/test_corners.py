@@ -58,6 +58,7 @@ WEDGES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", WEDGES)
 def test_wedge(tmp_path, name):
     """Not further from the exact flow than measured; without what is done
@@ -83,6 +84,7 @@ RATES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", RATES)
 def test_rate_of_the_silo(tmp_path, name):
     """The silo at rest against finite elements, by measured errors, which a
@@ -99,6 +101,7 @@ def test_rate_of_the_silo(tmp_path, name):
     assert iterations[True] <= 1.15*iterations[False]
 
 
+@pytest.mark.slow
 def test_rate_can_fail(tmp_path):
     """One per cent of the viscosities shows in the rate."""
     name = "one viscosity, 2/3"
@@ -124,6 +127,7 @@ def test_relatives(tmp_path, name, error):
         error, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_factorised_matrix_has_corners(tmp_path):
     """By factorisation the same rate, in at most 15 % more iterations."""
     iterations, rates = [], []
@@ -140,6 +144,7 @@ def test_factorised_matrix_has_corners(tmp_path):
     assert iterations[0] <= 1.15*iterations[1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mesh", [QUADS, TRIANGLES])
 @pytest.mark.parametrize("media", [START, COSSERAT])
 def test_rigid_rotation_of_the_walls(tmp_path, media, mesh):

@@ -18,6 +18,7 @@ def test_effectivity_annulus(tmp_path):
     assert row["effectivityOmega"] == pytest.approx(0.645, rel=0.02)
 
 
+@pytest.mark.slow
 def test_effectivity_and_order(tmp_path):
     """Manufactured solution on a wavy mesh: within 2 % of the measured
     effectivities, the order of the estimate is that of the error to 0.1."""
@@ -31,6 +32,7 @@ def test_effectivity_and_order(tmp_path):
             fine[f"orderError{key}"], abs=0.1)
 
 
+@pytest.mark.slow
 def test_effectivity_inclusion(tmp_path):
     """Surface in cut cells, 16 cells a side, against finite elements: within
     2 % of the measured 1.65 and 2.20."""
@@ -46,6 +48,7 @@ def test_order_three(tmp_path):
     assert row["effectivityOmega"] == pytest.approx(1.14, rel=0.02)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name, method, etaC", [
     ("annularCouette", "scotch", "1000"), ("annularCouette", "scotch", "1e4"),
     ("shearLayer", "simple", None)])

@@ -39,6 +39,7 @@ def test_block(tmp_path, parameters, iterations, solver):
     assert row["change"] < 1e-4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("coupling", [1.0, 1e3, 1e6])
 def test_one_material_takes_as_many_iterations(tmp_path, coupling):
     """The factorised matrix is that of the residual: in one material at most
@@ -52,6 +53,7 @@ def test_one_material_takes_as_many_iterations(tmp_path, coupling):
         assert measure(case, "block", given)["iterations"] <= 17
 
 
+@pytest.mark.slow
 def test_no_locking(tmp_path):
     """etaC/eta = 1000 and R -> 0: the classical flow, where a compact form
     is off by a third."""
@@ -75,6 +77,7 @@ def test_steady_scene_is_solved_once(tutorial):
     assert not any(solves[3:])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scene, parts", [
     ("no etaC anywhere", ["microrotation"]),
     ("no density anywhere", ["gravity"]),

@@ -147,6 +147,7 @@ def at_disc(x, y):
     return np.hypot(x, y) < 0.3
 
 
+@pytest.mark.slow
 def test_blocks():
     """Blocks around a disc: two degrees give the same drag, whose power is
     dissipated; what it pushes away passes beside it."""
@@ -222,6 +223,7 @@ def test_graded_lines():
     assert np.diff(x)[0] == 0.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["start, 0", "start, 2/3",
                                   "one viscosity, 2/3"])
 def test_silo(name):
@@ -231,6 +233,7 @@ def test_silo(name):
     assert rate == pytest.approx(SILO[name].value, rel=5e-3)
 
 
+@pytest.mark.slow
 def test_viscosity_of_the_silo_tells(monkeypatch):
     """One per cent of it spoils the flow rate."""
     monkeypatch.setattr(Silo, "ETA", 1.01*Silo.ETA)
@@ -248,6 +251,7 @@ def test_relatives(name):
                                       rel=2e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["slip starts", "column, no slip"])
 def test_solver_tends_to_the_references(tmp_path, name):
     """The flow solver's error falls with the cells."""

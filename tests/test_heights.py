@@ -74,6 +74,7 @@ def test_flow_does_not_depend_on_the_size(box, scale):
         power[0][[1, 4, 5]], rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dx, dy, scale", [
     (0, 1e7, 1), (2.0**22, -2.0**22, 1), (0, 0, 1e-6), (0, 0, 1e6)])
 def test_points_and_tracers_move_alike(box, dx, dy, scale):
@@ -151,6 +152,7 @@ def flux(case, side="bottom", time=1):
     return case.patch_field("phi", side, time).sum()
 
 
+@pytest.mark.slow
 def test_pressure_of_the_air_at_both_ends(box):
     """p = 0 above and below: no pressure gradient, so the flux is that of the
     weight, rho g H^3/(12 eta) a depth, at any height and any hRef."""
@@ -207,6 +209,7 @@ def two_densities(box, target, y, p="type fixedValue; value uniform 0;"):
                       "top": opening})
 
 
+@pytest.mark.slow
 def test_openings_of_two_densities(box):
     """p_rgh where densities differ: the flow is that of the height it is
     counted from, which moves with the case by hRef; without it the run says
@@ -231,6 +234,7 @@ def test_openings_of_two_densities(box):
     assert abs(flux(case)/fluxes[0] - 1) > 0.1
 
 
+@pytest.mark.slow
 def test_openings_that_give_p(box):
     """Of two densities, with prghPressure, at any place without hRef."""
     fluxes = []
@@ -258,6 +262,7 @@ def test_reference_is_checked(box, text, words):
         assert word in message, message
 
 
+@pytest.mark.slow
 def test_restart_far_away_goes_on(tmp_path):
     """A time written there is a start as good as the run's own: no iteration
     at the start, and the same end."""

@@ -129,6 +129,7 @@ def empty_patch(case, U, p, omega="type zeroGradient;"):
             "#includeEtc", f"none {{ {entry} }}\n#includeEtc"))
 
 
+@pytest.mark.slow
 def test_patch_without_faces_is_no_outlet(box):
     """Nor does what it asks for count."""
     case = box("in", n=8, materials=HEAVY, walls={"left": through(1)})

@@ -419,6 +419,7 @@ def test_mesh_of_three_dimensions(box):
     assert done.returncode and "empty" in message, message
 
 
+@pytest.mark.slow
 def test_missing_field(box):
     """A field that is not there."""
     for name in ("U", "p_rgh", "omega"):
@@ -473,6 +474,7 @@ def test_normal_traction(box):
     assert done.returncode and "normal part" in done.stdout
 
 
+@pytest.mark.slow
 def test_not_converged_is_an_error_or_counted(box):
     """What does not converge says so; going on must be asked for."""
     scene = {"materials": {"a": {"eta": 1, "etaC": 1, "R": .1, "rho": 1},

@@ -74,6 +74,7 @@ def stirred(box, target="case", **parameters):
         g=(0, -1, 0), tolerance=1e-10), **parameters})
 
 
+@pytest.mark.slow
 def test_power_balance(box):
     """Supplied is dissipated to the tolerance of the solver, which its
     summation by parts makes an identity; the integral over the cell gradients,
@@ -95,6 +96,7 @@ def test_power_balance(box):
     assert errors[0]/errors[1] > 3
 
 
+@pytest.mark.slow
 def test_power_balance_gravity(box):
     """The same with gravity and a blob; the pressure's work, an error, is a
     three hundredth of the supply (measured: -0.28 and -0.27 %)."""
@@ -122,6 +124,7 @@ def test_power_balance_on_triangles(box):
     assert abs(pressure) < 0.0135*gravity
 
 
+@pytest.mark.slow
 def test_limits_of_the_internal_length(box):
     """R -> 0: the classical flow of viscosity eta. R -> infinity with omega
     held at a wall: omega = 0 and the flow of eta + etaC."""
@@ -160,6 +163,7 @@ def test_scaling(box):
         assert np.abs(b - factor*a).max() < 1e-7*np.abs(b).max(), name
 
 
+@pytest.mark.slow
 def test_mirror_and_quarter_turn(box):
     """The mirrored and the turned scene: U mirrored or turned, omega with
     the sign of a pseudo-scalar."""
@@ -193,6 +197,7 @@ def test_mirror_and_quarter_turn(box):
                        atol=1e-5*np.abs(omega).max())
 
 
+@pytest.mark.slow
 def test_half_with_symmetry_plane(box):
     """A symmetry plane is the middle of a mirrored scene; a free-slip wall
     with free rotation there is another one."""
@@ -236,6 +241,7 @@ def test_slip_is_zero_traction(box):
     assert np.array_equal(*fields)
 
 
+@pytest.mark.slow
 def test_plane_of_the_mesh(box):
     """The same scene in the x-z plane, front and back along y: omega is then
     about y, which a turn of the x-y plane makes of -z."""

@@ -59,6 +59,7 @@ def test_staggered_scheme_has_the_cosserat_block():
     assert found != pytest.approx(JUMPS["block", 1e3, "u"].value, rel=0.1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contrast, cosserat", [(1e-2, False), (1e3, False),
                                                 (1e3, True)])
 def test_elements_have_the_block(contrast, cosserat):
@@ -152,6 +153,7 @@ def test_fraction_of_the_block(cells):
     assert ((found == 0) | (found == 1)).all() == (cells == 16)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name, near", [("blockThroughCells", 1e-6),
                                         ("disc", 2e-2)])
 def test_points_and_fractions_agree(tmp_path, name, near):

@@ -48,6 +48,7 @@ def shear_layer(tutorial, name, n, **changes):
     return errors(case, exact), case
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SHEAR)
 def test_shear_layer(tutorial, name):
     """Error on 24 cells; 48 divide it by 3.7 at least."""
@@ -68,6 +69,7 @@ def test_shear_layer_can_fail(tutorial, name):
     assert u > 3*SHEAR[name][2] or omega > 3*SHEAR[name][3]
 
 
+@pytest.mark.slow
 def test_gravity_channel(tutorial):
     """Error on 24 cells; halving cells divides it by 3.7 at least. The error
     of u changes its sign just below 24 cells (2.3e-6 there, 9.4e-7 at 48), so
@@ -92,6 +94,7 @@ def test_gravity_channel_can_fail(tutorial):
     assert u > 3*3.1e-6 and omega > 3*1.6e-4
 
 
+@pytest.mark.slow
 def test_bands_stay_straight_and_odd(tmp_path):
     """A hundred of the thousand steps of the study: errors, bands and points
     a cell as at the first step."""
@@ -106,6 +109,7 @@ def test_bands_stay_straight_and_odd(tmp_path):
     assert last["added"] == 0
 
 
+@pytest.mark.slow
 def test_gravity_channel_on_a_graded_mesh(tutorial):
     """Cells four times smaller at the walls than in the middle: order 2."""
     found = []

@@ -9,6 +9,7 @@ from cosserat.scenes.box import (FORWARD, ONE, STILL, TWO, account, add_points,
                                  retype)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("velocity", ["conservativeLinear", "cellPoint"])
 @pytest.mark.parametrize("sides", [
     ("left", "right", "bottom", "top"), ("top",), ("left", "bottom")])
@@ -133,6 +134,7 @@ def test_entries_where_nothing_comes_in(box, side, entry, word):
     assert "Entry 'top' of inflow" in done.stdout and word in done.stdout
 
 
+@pytest.mark.slow
 def test_growing_difference_is_told_and_then_an_error(box):
     """Material that comes into a body which can be compressed fills more than
     the mesh: told. Where none can be, steps of many cells do so: an error."""

@@ -70,6 +70,7 @@ def scene(path, seed):
                **mesh(rng, kind, n)).write()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("first", range(0, COUNT, 20))
 def test_operator_is_positive(tmp_path, first):
     """No eigenvalue has a negative real part, but for rounding: the diagonals

@@ -21,6 +21,7 @@ MANUFACTURED = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mesh", MESHES)
 def test_manufactured(tmp_path, mesh):
     """Order 2 in u and omega, 1.5 in p; on triangles u above 1.5, p 1."""
@@ -50,6 +51,7 @@ def solcx(box, contrast, n):
             residuals(case.log())[0][3])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contrast", [1e-6, 1e3, 1e6])
 def test_jump_of_the_viscosity(box, contrast):
     """SolCx: order 2 in u, 1 in p, as many iterations at any contrast."""

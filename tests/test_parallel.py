@@ -49,6 +49,7 @@ def choose(case, block):
                   f" preconditioner {{ block {block}; }} }}")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method, ranks, n, block", [
     ("simple", 4, "(2 2 1)", "automatic"),
     ("hierarchical", 3, "(1 3 1)", "automatic"),
@@ -75,6 +76,7 @@ def test_decompositions(serial, tmp_path, method, ranks, n, block):
             <= 1.1*costs(serial[block])["iterations"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form, adjust, ranks", [
     ("ascii", "no", 1), ("binary", "yes", 1), ("ascii", "yes", 2)])
 def test_restart_is_bitwise(tmp_path, form, adjust, ranks):
@@ -98,6 +100,7 @@ def test_restart_is_bitwise(tmp_path, form, adjust, ranks):
     assert [name for name in expected if expected[name] != found[name]] == []
 
 
+@pytest.mark.slow
 def test_restart_on_other_ranks(serial, tmp_path):
     """Half on one processor, the rest on three: the same to the tolerance."""
     case = silo(tmp_path/"case", 5e-5)
@@ -113,6 +116,7 @@ def test_restart_on_other_ranks(serial, tmp_path):
     assert row["diffPoints"] < 1e-8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ranks, kills", [(1, 3), (2, 2)])
 def test_killed_runs_go_on(tmp_path, ranks, kills):
     """kill -9 at random moments; times that are not whole are named and taken
@@ -136,6 +140,7 @@ def run_on_full_disk(case, size):
     return done.stdout
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("points, size, file", [
     (True, 200_000, "coordinates"), (False, 2500, "U")])
 def test_full_disk(box, tmp_path, points, size, file):
@@ -167,6 +172,7 @@ def test_full_disk(box, tmp_path, points, size, file):
     assert files(case, 1) == files(whole, 1)
 
 
+@pytest.mark.slow
 def test_half_written_times_are_named(tmp_path):
     """What is missing or cut short stops the restart; nothing is seeded anew."""
     whole = silo(tmp_path/"whole", 1e-4, 1e-6, writeInterval=5e-5)
@@ -217,6 +223,7 @@ def test_half_written_times_are_named(tmp_path):
         assert case.times()[-1] == last
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("n", ["(8 1 1)", "(2 4 1)"])
 def test_points_cross_several_processors(box, n):
     """A rigid motion to the right by 3.2 cells a step, cyclic: slabs of one
@@ -253,6 +260,7 @@ def keep_points(case, chosen):
     return cloud
 
 
+@pytest.mark.slow
 def test_processor_without_points(box):
     """Points of the right half only, carried to the left one, which had none."""
     wall = ("type fixedValue; value uniform (-1 0 0);", "type zeroGradient;")
@@ -278,6 +286,7 @@ def test_processor_without_points(box):
     assert np.abs(np.sort(x) - expected).max() < 1e-8
 
 
+@pytest.mark.slow
 def test_weights_balance_points(box):
     """Points in the right half only: pointStatistics counts them, and
     decomposePar gives each processor as much of cells and points together."""

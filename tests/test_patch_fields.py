@@ -173,6 +173,7 @@ PRESSURES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", sorted(PRESSURES))
 def test_pressure_is_evaluated(box, kind):
     """At each time, and the flow is linear in it: that of a pressure which is
@@ -280,6 +281,7 @@ def cyclic_entries(case, left, right):
         "#includeEtc", f"left {{ {left} }}\nright {{ {right} }}\n#includeEtc"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("left", [
     "type fixedJump; patchType cyclic; jump uniform 0.8; value uniform 0;",
     "type uniformJump; patchType cyclic; jumpTable table ((0 0) (2 1.6));"

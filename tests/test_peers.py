@@ -56,6 +56,7 @@ def test_time_to_half():
     assert peers.to_half([0, 1], [0, 10], cpu)["timeToHalf"] is None
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not shutil.which(peers.PEER), reason="no interFoam")
 def test_inertia_of_the_peer_is_scaled_away(tmp_path):
     """interFoam on 4 cells a unit: too fast by 39 %, whatever is left of
@@ -71,6 +72,7 @@ def test_inertia_of_the_peer_is_scaled_away(tmp_path):
     assert rates[1] == pytest.approx(rates[0], rel=1e-5)
 
 
+@pytest.mark.slow
 def test_own_rate_is_that_of_the_fluxes(tmp_path):
     """cosseratPicFoam's case is the classical fluid, without microrotation."""
     case = peers.own_case(tmp_path/"case", 4)

@@ -72,6 +72,7 @@ def test_picture_of_the_points(slump, tmp_path, monkeypatch):
     assert 0.08 < share < 0.2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("options", [
     ("-field", "omega"), ("-field", "U", "-component", "y", "-arrows")])
 def test_picture_of_a_field(slump, tmp_path, monkeypatch, options):

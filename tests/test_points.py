@@ -27,6 +27,7 @@ def rotating(box, target, scheme, steps, velocity="conservativeLinear"):
     return np.sqrt(np.mean((last - start)[inner, :2]**2))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scheme, steps, order", [
     ("Euler", 400, 1), ("RK2", 40, 2), ("RK4", 20, 4)])
 def test_order_of_integration(box, scheme, steps, order):
@@ -64,6 +65,7 @@ def test_points_slide_along_oblique_walls(box):
     assert len(x) == 32*32 and 0 < (~free).sum() < 200
 
 
+@pytest.mark.slow
 def test_linear_velocity_is_exact_on_triangles(tmp_path):
     """conservativeLinear is linear in triangles; faceFlux is not."""
     def miss(velocity):
@@ -81,6 +83,7 @@ def test_first_order_velocity_is_not(box):
     assert rotating(box, "turn", "RK4", 80, "faceFlux") > 1e-3
 
 
+@pytest.mark.slow
 def test_points_stay_evenly_spread(box):
     """A driven cavity, 300 steps, no point added: the conservative velocity
     leaves no cell empty, interpolation of cell values does."""
@@ -107,6 +110,7 @@ def test_points_stay_evenly_spread(box):
     assert counts["cellPoint"].min() == 0
 
 
+@pytest.mark.slow
 def test_regions_and_dye_decide_at_the_point(box):
     """Box, polygon, interface and surface regions; volumes to the point."""
     materials = {"a": {"eta": 1, "etaC": 0, "R": 0},
@@ -154,6 +158,7 @@ def test_regions_and_dye_decide_at_the_point(box):
                           case.cloud("volume")[material == 1].sum(), rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_mixture_rules(box):
     """Arithmetic, geometric and harmonic means in cells of mixed materials,
     for density and viscosity apart."""

@@ -45,6 +45,7 @@ def test_inflow_brings_the_material_named(box):
     assert "768 by right" in case.log()
 
 
+@pytest.mark.slow
 def test_inflow_in_parallel_and_restarted(box):
     """Two ranks and a restart end with the points of the one run."""
     whole = through(box, "whole", "left { material b; }")
@@ -59,6 +60,7 @@ def test_inflow_in_parallel_and_restarted(box):
         assert np.abs(own - expected).max() < 3e-6
 
 
+@pytest.mark.slow
 def test_inflow_needs_an_entry(box):
     """A patch that brings material and has no entry, or an unknown one."""
     with pytest.raises(RunError, match="inflow/left"):
@@ -93,6 +95,7 @@ def counts(case):
                        minlength=256)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_points_of_a_cell_stay_in_their_limits(box, ranks):
     """Points are added and deleted, and the volume of each material stays."""
@@ -110,6 +113,7 @@ def test_points_of_a_cell_stay_in_their_limits(box, ranks):
         0.1*(9*4 + 2)/64, rel=1e-7)
 
 
+@pytest.mark.slow
 def test_points_are_not_deleted_by_default(box):
     """Without an entry cells have more than that and none is deleted."""
     case = cavity(box, "free")
@@ -117,6 +121,7 @@ def test_points_are_not_deleted_by_default(box):
     assert account(case)[5] == 0
 
 
+@pytest.mark.slow
 def test_volume_on_the_mesh_is_that_of_the_points(box):
     """To nothing, and without the correction it is not."""
     miss = {}
@@ -137,6 +142,7 @@ def test_limits_are_checked(box, entries, message):
         cavity(box, "case", steps=1, **entries)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scene", sorted(soak.SCENES))
 def test_books_of_many_steps(tmp_path, scene):
     """What came in, went out, was added and deleted in 800 steps, hundreds of
@@ -214,6 +220,7 @@ def rows_of(case, start=0, i=0):
     return np.loadtxt(case.path/f"postProcessing/tracers/{start}/tracer{i}.dat")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_tracers(box, ranks):
     """A turn around the centre: circle, velocity, rotation 2 pi, no strain;
@@ -233,6 +240,7 @@ def test_tracers(box, ranks):
         assert strain[-1] < 1e-5
 
 
+@pytest.mark.slow
 def test_tracers_go_on_after_a_restart(box):
     """Half a turn, then the rest: strain, rotation and place go on."""
     whole = tracers(box, "whole")
@@ -245,6 +253,7 @@ def test_tracers_go_on_after_a_restart(box):
     assert np.allclose(rows_of(half, start), rows_of(whole)[20:], atol=1e-6)
 
 
+@pytest.mark.slow
 def test_rayleigh_taylor(tmp_path):
     """On 32 x 32 cells: measured a growth of 0.0109 and a peak of v_rms of
     3.08e-3 at 215; the benchmark has 0.01094, 3.09e-3 and 209."""
@@ -259,6 +268,7 @@ def test_rayleigh_taylor(tmp_path):
     assert when == pytest.approx(209, abs=7)
 
 
+@pytest.mark.slow
 def test_stabilised_surface(tmp_path):
     """One step of 12 s, in which no point leaves its cell, so that nothing
     but the stabilisation changes: a load that grows by theta dt v makes of the

@@ -187,6 +187,7 @@ def test_other_internal_length(difference, name):
     assert abs(found) < 0.26*abs(change)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("eta, fails", [(1, False), (0.99, True)])
 def test_fall_of_the_inclusion(tutorial, eta, fails):
     """The tutorial to its end: measured 3.2 % more than the elements have; one

@@ -24,6 +24,7 @@ def discharges_fixture(tmp_path_factory):
     return cases
 
 
+@pytest.mark.slow
 def test_discharge_rises_and_falls_with_alpha(discharges):
     """Outflow rises monotonically; the internal length slows it down."""
     volume = {}
@@ -91,6 +92,7 @@ def short(tutorial, target, method=None, **control):
     return case.solve()
 
 
+@pytest.mark.slow
 def test_parallel(tutorial):
     """Two ranks, decomposed by scotch and by metis: the serial result."""
     serial = short(tutorial, "serial")
@@ -107,6 +109,7 @@ def test_parallel(tutorial):
         assert len(case.cloud("dye")) == n
 
 
+@pytest.mark.slow
 def test_restart(tutorial):
     """Half the time, then a restart: the uninterrupted run."""
     whole = short(tutorial, "whole")

@@ -47,6 +47,7 @@ def prepared(name, path):
     return case
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name, block", [
     *((name, "automatic") for name in NAMES),
     ("silo", "direct"), ("rayleighTaylor", "direct")])

@@ -109,6 +109,7 @@ def test_balanced_is_the_default(tmp_path):
     assert (plain.cloud("positions") == given.cloud("positions")).all()
 
 
+@pytest.mark.slow
 def test_trade_off_of_a_case(tmp_path, monkeypatch, capsys):
     """A case far from the folder of the studies, its error estimate near the
     one on a finer mesh; the original is left alone."""

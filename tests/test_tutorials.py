@@ -40,6 +40,7 @@ def annulus(tutorial, n, **changes):
             err(ring.omega(r), case.field("omega")))
 
 
+@pytest.mark.slow
 def test_annular_couette(tutorial):
     """Order two in both on a curved mesh; the errors are as measured."""
     coarse, fine = annulus(tutorial, 16), annulus(tutorial, 32)
@@ -48,6 +49,7 @@ def test_annular_couette(tutorial):
     assert coarse[0]/fine[0] > 3.6 and coarse[1]/fine[1] > 3.6
 
 
+@pytest.mark.slow
 def test_annular_couette_can_fail(tutorial):
     """One per cent of the internal length shows on the fine mesh."""
     assert annulus(tutorial, 32, materials={"R": 0.202})[1] > 4*1.7e-3
@@ -101,6 +103,7 @@ def lost_height(case, material, rho, g):
     return energy, (mean*(t[now] - t[before])).sum()
 
 
+@pytest.mark.slow
 def test_sinking_inclusion(tutorial):
     """Its fall on 32 x 32 cells; what it loses in height is the work of
     gravity on the flow."""
@@ -122,6 +125,7 @@ def overturn(tutorial, **materials):
     return speed.max(), rows[speed.argmax(), 0]
 
 
+@pytest.mark.slow
 def test_rayleigh_taylor(tutorial):
     """First peak of v_rms: 3.09e-3 at 209 by the benchmark; measured 3.070e-3
     at 211 on this mesh."""
@@ -130,6 +134,7 @@ def test_rayleigh_taylor(tutorial):
     assert time == pytest.approx(209, abs=2.5)
 
 
+@pytest.mark.slow
 def test_rayleigh_taylor_can_fail(tutorial):
     """One per cent of the viscosity shows in both."""
     peak, time = overturn(tutorial, eta=1.01)
@@ -146,6 +151,7 @@ def slump(tutorial, target, **materials):
     return case
 
 
+@pytest.mark.slow
 def test_column_slump(tutorial):
     """The law's viscosities by equations 14 and 15; what the grains lose in
     height is the work of gravity; of two internal lengths the longer one lets
@@ -181,6 +187,7 @@ def test_dune_is_what_its_surface_holds(tutorial):
     assert (grains == (y < height))[clear].all()
 
 
+@pytest.mark.slow
 def test_hopper(tutorial):
     """What the feed brings is inside to the last point (96 a face in 5.05 s), and
     as much goes out; the points go on filling the hopper."""
@@ -216,6 +223,7 @@ def eccentric(path, **substitutes):
     return err(exact.u(x, y), case.field("U")[:, :2].T)
 
 
+@pytest.mark.slow
 def test_eccentric_cylinders(tmp_path):
     """Triangles by gmsh against the classical solution, measured 0.99 %."""
     assert eccentric(tmp_path/"case") < 1.05e-2
@@ -229,6 +237,7 @@ def copy_template(target):
                                            "postProcessing", "polyMesh"))
 
 
+@pytest.mark.slow
 def test_template_becomes_a_case(tmp_path):
     """cp -r and Allrun, nothing else; the picture is there, and named."""
     copy_template(tmp_path/"mine")
@@ -243,6 +252,7 @@ def test_template_becomes_a_case(tmp_path):
     assert energy == pytest.approx(work, rel=5e-3)
 
 
+@pytest.mark.slow
 def test_Allrun_shows_the_error(tmp_path):
     """And not only its log: file, entry and what is allowed."""
     copy_template(tmp_path/"mine")
