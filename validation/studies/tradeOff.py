@@ -1,6 +1,6 @@
 """Accuracy against cost of a user's own case: the case on several meshes and
 with several numbers of points a cell, compared with the limit that Richardson
-extrapolation gives. Usage: validation/Allrun tradeOff -case DIR."""
+extrapolation gives. Usage: validation/Allrun tradeOff -case DIR [-time T]."""
 
 import argparse
 import os
@@ -11,9 +11,15 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from cosserat.case import FILES, Case
-from cosserat.tradeoff import (distance, extrapolate, front, override, refine,
-                               restrict)
+from cosserat.tradeoff import (distance, extrapolate, front, observed_order,
+                               override, refine, restrict, verdict)
 from studies.common import HERE, cpu_seconds, save, write
+
+
+#: Quantity: its name, and how the keys of its errors end; columns of results
+QUANTITIES = {"velocity U": ("", slice(0, 2)),
+              "microrotation omega": ("Omega", slice(2, 3)),
+              "pressure p_rgh": ("P", slice(3, 4))}
 
 
 def copy(source, name):
@@ -28,12 +34,15 @@ def copy(source, name):
     return Case(target)
 
 
-def run(source, factor, points):
+def run(source, factor, points, time=None):
     """The case with its cells along each side multiplied by a factor, and
-    points a cell (None: as it is). Returns a row, and centres, volumes and
-    velocity of its cells at the end."""
+    points a cell (None: as it is), up to a time (None: its own end). Returns a
+    row, and centres, volumes and results (U, omega, p_rgh) of its cells at the
+    end."""
     case = copy(source, f"{factor:g}-{points or 'own'}")
     with (case.path/"system/controlDict").open("a") as text:
+        if time is not None:
+            text.write(f"\nstopAt endTime; endTime {time!r};\n")
         text.write("\nwriteFormat ascii; writeCompression off;"
                    " writeControl adjustableRunTime; writeInterval $endTime;\n")
     if factor != 1:
@@ -46,23 +55,30 @@ def run(source, factor, points):
            "pointsPerCell": points, "cpu": max(cpu_seconds(case.log()), 0.01),
            "steps": case.log().count("\nStep ")}
     print(row, flush=True)
-    return row, (case.centres(), case.volumes(), case.field("U")[:, :2])
+    return row, (case.centres(), case.volumes(), np.column_stack(
+        [case.field("U")[:, :2], case.field("omega"), case.field("p_rgh")]))
 
 
-def explore(source, coarsest, points):
-    """Rows of the case: error of the velocity at the end on meshes whose cells
-    are multiplied by coarsest, 2 coarsest and 4 coarsest a side, and of each
-    number of points on the middle one."""
+def explore(source, coarsest, points, time=None):
+    """Rows of the case: errors of velocity, microrotation and pressure at a
+    time (None: the end) on meshes whose cells are multiplied by coarsest,
+    2 coarsest and 4 coarsest a side, and of each number of points on the
+    middle one."""
     levels = [coarsest*2**i for i in range(3)]
-    runs = [run(source, factor, None) for factor in levels]
-    cells = runs[0][1][0]
-    limit, order, uncertainty = extrapolate(*(
-        restrict(*fields, cells) for _, fields in runs))
+    runs = [run(source, factor, None, time) for factor in levels]
     # Points a cell of the case itself are among the meshes
-    runs += [run(source, levels[1], n) for n in points]
-    rows = [{**row, "error": distance(restrict(*fields, cells), limit),
-             "errorUncertainty": uncertainty, "order": order}
-            for row, fields in runs]
+    runs += [run(source, levels[1], n, time) for n in points]
+    rows = [row for row, _ in runs]
+    cells = runs[0][1][0]
+    results = [restrict(*fields, cells) for _, fields in runs]
+    for end, columns in QUANTITIES.values():
+        meshes = [result[:, columns] for result in results[:3]]
+        limit, order, uncertainty = extrapolate(*meshes)
+        for row, result in zip(rows, results):
+            row.update({f"error{end}": distance(result[:, columns], limit),
+                        f"errorUncertainty{end}": uncertainty,
+                        f"order{end}": order,
+                        f"observedOrder{end}": observed_order(*meshes)})
     for row, on in zip(rows, front([row["cpu"] for row in rows],
                                    [row["error"] for row in rows])):
         row["onFront"] = on
@@ -108,6 +124,8 @@ def main(arguments):
         help="cells a side of the coarsest of three meshes over the case's,"
         " each of the others twice as fine (default 0.5: the case itself is"
         " the middle one; with 0.25 it is the finest)")
+    parser.add_argument("-time", type=float, metavar="T",
+                        help="compare at this time (default: the end)")
     parser.add_argument("-points", type=int, nargs="*", default=[4, 9, 36],
                         help="points a cell to compare (default 4 9 36)")
     given = parser.parse_args(arguments)
@@ -117,7 +135,7 @@ def main(arguments):
                          " is refined through it")
     has_points = (source/"constant/materialPointsProperties").is_file()
     rows = explore(source.resolve(), given.coarsest,
-                   given.points if has_points else [])
+                   given.points if has_points else [], given.time)
     draw(rows, source.resolve().name)
     path = write("tradeOff", rows)
 
@@ -128,6 +146,12 @@ def main(arguments):
               f"  {'*' if row['onFront'] else ''}")
     own = min(rows, key=lambda row: (abs(np.log(row["factor"])),
                                      row["pointsPerCell"] or 0))
-    print(f"Velocity of the case at its end: error {own['error']:.2%}, known"
-          f" to {own['errorUncertainty']:.2%} (order {own['order']:.1f})")
+    print("Errors of the case "
+          + (f"at {given.time:g} s" if given.time else "at its end")
+          + f", {own['nCells']} cells, by Richardson extrapolation:")
+    for name, (end, _) in QUANTITIES.items():
+        print(f"{name:>20}: {own[f'error{end}']:.2%}, known to"
+              f" {own[f'errorUncertainty{end}']:.2%}, observed order"
+              f" {own[f'observedOrder{end}']:.2f}."
+              f" {verdict(own[f'observedOrder{end}'])}")
     print(f"{path}\n{path.with_suffix('.png')}")

@@ -1,0 +1,223 @@
+"""The function object errorIndicator against the true errors of the strains,
+where these are known or by finite elements."""
+
+import shutil
+from functools import lru_cache
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from cosserat.analytic import AnnularCouette, Manufactured, Material, SolCx
+from cosserat.box import Box
+from cosserat.references import SILO_SCENES
+from cosserat.silo import mesh_entries
+from cosserat.strains import (differences, errors, found, rank_correlation,
+                              switch_on)
+from finiteElements import tutorials
+from finiteElements.silo import silo_flow
+from studies.common import HERE, PAPER, WALLS, new_case, run_layer, save
+from studies.manufactured import MATERIALS, MESHES
+
+CELLS = [12, 24, 48]
+
+THIN = Material(1.0, 1.0, 0.05)
+
+#: Scene: label of the figure, numbers of cells across, a side or a unit
+SCENES = {
+    "layer0.3": ("layer, R/h 0.3", CELLS),
+    "layer0.05": ("layer, R/h 0.05", CELLS),
+    "channel": ("channel", CELLS),
+    "annularCouette": ("annular Couette", [8, 16, 32]),
+    "uniform": ("manufactured, uniform", CELLS),
+    "wavy": ("manufactured, wavy", CELLS),
+    "triangles": ("manufactured, triangles", CELLS),
+    "halved": ("manufactured, hanging nodes", CELLS),
+    "jump": ("jump along faces, 1000:1", [16, 32, 64]),
+    "inclusion": ("inclusion, 500:1", [16, 32, 64]),
+    "silo": ("silo, 1000:1", [2, 4, 8]),
+    "rayleighTaylor": ("Rayleigh-Taylor", [16, 32, 64]),
+}
+
+
+def compare(scene, n, case, exact):
+    """Row of a run, and its true errors and indicator by cell."""
+    true = errors(case, exact)
+    indicator = case.field("errorIndicator")
+    _, total, dissipated, relative, share = case.table(
+        "error", "errorIndicator.dat")[-1]
+    return {
+        "scene": scene, "n": n, "cells": case.n_cells(),
+        "error": float((true.sum()/dissipated)**0.5),
+        "indicator": float(relative),
+        "effectivity": float((total/true.sum())**0.5),
+        "correlation": rank_correlation(indicator, true),
+        "found": found(indicator, true), "worstShare": float(share),
+        "trueWorstShare": found(true, true)*float(
+            np.sort(true)[-max(1, round(len(true)/10)):].sum()/true.sum()),
+    }, true, indicator
+
+
+def smallest(case):
+    """A step for differences."""
+    return 1e-4*case.volumes().min()**0.5
+
+
+def layer(scene, n):
+    """A layer or channel."""
+    material = THIN if scene == "layer0.05" else PAPER
+    walls = None if scene == "channel" else WALLS["OmegaV"]
+    case, exact, _ = run_layer("errorIndicator", scene, material, n, walls,
+                               G=1, prepare=switch_on)
+    return case, differences(
+        lambda x, y: (exact.u(y), 0*y, exact.omega(y)), smallest(case))
+
+
+def annulus(n):
+    """The tutorial annularCouette at rest, n cells across."""
+    case = new_case("errorIndicator", "annularCouette", "annularCouette")
+    case.substitute("system/blockMeshDict", {"nAcross": n, "nQuarter": 3*n//2})
+    case.substitute("system/fvSolution", {"tolerance": 1e-8})
+    case.substitute("system/controlDict", {
+        "endTime": 1e-6, "deltaT": 1e-6, "writeInterval": 1e-6})
+    switch_on(case)
+    case.run("blockMesh")
+    case.run("cosseratPicFoam")
+    exact = AnnularCouette(Material(1000, 1000, 0.2), (1, 2), (1, 0), (1, 0))
+
+    def fields(x, y):
+        r = np.hypot(x, y)
+        return -exact.u(r)*y/r, exact.u(r)*x/r, exact.omega(r)
+
+    return case, differences(fields, smallest(case))
+
+
+def box(name, **parameters):
+    """Run a box."""
+    path = HERE/"runs/errorIndicator"/name
+    shutil.rmtree(path, ignore_errors=True)
+    case = Box(path, **parameters).write()
+    switch_on(case)
+    case.run("cosseratPicFoam")
+    return case
+
+
+def manufactured(mesh, n):
+    """A manufactured solution; halved: on a square of twice as fine cells."""
+    (X, Y), parameters = MESHES["uniform" if mesh == "halved" else mesh]
+    if mesh == "halved":
+        parameters = {"halved": lambda x, y: (abs(x) < 0.25) & (abs(y) < 0.25)}
+    exact = Manufactured(X, Y, *MATERIALS.values())
+    case = box(f"{mesh}{n}", n=n, fractions=exact.alpha, force=exact.force,
+               couple=exact.couple, tolerance=1e-8,
+               materials={name: {"eta": m.eta, "etaC": m.etaC, "R": m.R}
+                          for name, m in MATERIALS.items()},
+               walls={side: ("type noSlip;",
+                             "type fixedValue; value uniform 0.5;")
+                      for side in ("left", "right", "bottom", "top")},
+               **parameters)
+    return case, differences(
+        lambda x, y: (*exact.u(x, y), exact.omega(x, y)), smallest(case))
+
+
+def jump(n, contrast=1e3):
+    """SolCx: a classical fluid whose viscosity jumps along faces."""
+    exact = SolCx((1.0, contrast))
+    case = box(f"jump{n}", n=n, tolerance=1e-9, force=exact.force,
+               materials={"a": {"eta": 1, "etaC": 0, "R": 0},
+                          "b": {"eta": contrast, "etaC": 0, "R": 0}},
+               fractions=lambda x, y: x < 0)
+    return case, differences(
+        lambda x, y: (*exact.u(x, y), 0*x), smallest(case))
+
+
+@lru_cache
+def elements(scene):
+    """Finite elements that the first solve of a tutorial is compared with."""
+    if scene == "silo":
+        return silo_flow(SILO_SCENES["start, 2/3"], contact=1e-100)
+    return {"inclusion": tutorials.disc_flow,
+            "rayleighTaylor": tutorials.overturn_flow}[scene](False)
+
+
+def by_elements(scene):
+    """Values and gradients of finite elements, like differences()."""
+    def at(x, y):
+        # The silo is solved on its right half
+        left = (x < 0) & (scene == "silo")
+        values, gradients = elements(scene).gradients_at(
+            np.column_stack([np.where(left, -x, x), y]))
+        values[left] *= [-1, 1, -1]
+        gradients[left] *= [[1, -1, 1], [-1, 1, -1]]
+        return values.T, gradients.transpose(1, 2, 0)
+
+    return at
+
+
+def at_rest(scene, n):
+    """The first solve of a tutorial."""
+    tutorial = "sinkingInclusion" if scene == "inclusion" else scene
+    case = new_case("errorIndicator", f"{scene}{n}", tutorial)
+    case.substitute("system/blockMeshDict", {
+        key: max(cells, 1) for key, cells in mesh_entries(n).items()}
+                    if scene == "silo" else {"n": n})
+    case.substitute("system/controlDict", {
+        "endTime": 1e-7, "deltaT": 1e-7, "writeInterval": 1e-7})
+    switch_on(case)
+    case.run("blockMesh")
+    case.run("cosseratPicFoam")
+    return case, by_elements(scene)
+
+
+def run(scene, n):
+    """Case of a scene, and its exact flow."""
+    if scene.startswith("layer") or scene == "channel":
+        return layer(scene, n)
+    if scene in MESHES or scene == "halved":
+        return manufactured(scene, n)
+    if scene in ("annularCouette", "jump"):
+        return {"annularCouette": annulus, "jump": jump}[scene](n)
+    return at_rest(scene, n)
+
+
+def draw(rows, cells):
+    """Indicator against true error of each cell of the middle meshes, and
+    effectivity against cells."""
+    figure, axes = plt.subplots(3, 4, figsize=(11, 8), dpi=130)
+    for axis, (scene, (true, indicator)) in zip(axes.ravel(), cells.items()):
+        whole = true.sum()
+        axis.loglog(true/whole, indicator/whole, ".", ms=1.5, alpha=0.5)
+        span = np.array([true.max()/whole*1e-6, true.max()/whole])
+        axis.loglog(span, span, "k:", lw=0.8)
+        axis.set_xlim(span[0], 3*span[1])
+        axis.set_ylim(span[0], 3*span[1])
+        row = next(r for r in rows if r["scene"] == scene
+                   and r["n"] == SCENES[scene][1][1])
+        axis.set_title(f"{SCENES[scene][0]}\neffectivity"
+                       f" {row['effectivity']:.2f}, rank correlation"
+                       f" {row['correlation']:.2f}", fontsize=7)
+        axis.tick_params(labelsize=6)
+    for axis in axes[-1]:
+        axis.set_xlabel("true error of the cell", fontsize=7)
+    for axis in axes[:, 0]:
+        axis.set_ylabel("indicator", fontsize=7)
+    save(figure, "errorIndicator")
+    plt.close(figure)
+
+
+def study():
+    """Rows: scene, n (cells across or a side; a unit of the silo), cells,
+    error (true, of the strains over those of the flow, in its energy),
+    indicator, effectivity, correlation (of the ranks of cells), found (of the
+    error in the worst tenth, in that by the indicator), worstShare and
+    trueWorstShare (of all in it)."""
+    rows, cells = [], {}
+    for scene, (_, numbers) in SCENES.items():
+        for n in numbers:
+            row, *fields = compare(scene, n, *run(scene, n))
+            rows.append(row)
+            print(*(f"{value:.3g}" if isinstance(value, float) else value
+                    for value in row.values()), flush=True)
+            if n == numbers[1]:
+                cells[scene] = fields
+    draw(rows, cells)
+    return rows
