@@ -1,5 +1,5 @@
 """Accuracy and cost of runs: settings that override those of a case,
-restriction to a coarse mesh, Richardson extrapolation, Pareto front."""
+values at the centres of another mesh, Richardson extrapolation, Pareto front."""
 
 import re
 
@@ -58,15 +58,23 @@ def refine(case, factor):
         text.write(f"\nblocks {blocks.strip()};\n")
 
 
-def restrict(centres, volumes, values, coarse):
-    """Means of values, weighted by volume, of the cells that are nearest to
-    each centre of a coarser mesh; NaN where there is none."""
-    nearest = cKDTree(coarse[:, :2]).query(centres[:, :2])[1]
-    weight = np.bincount(nearest, volumes, len(coarse))
-    sums = [np.bincount(nearest, volumes*column, len(coarse))
-            for column in np.reshape(values, (len(values), -1)).T]
-    with np.errstate(invalid="ignore"):
-        return np.column_stack(sums)/weight[:, None]
+def at_points(centres, values, points, n=16):
+    """Values at points, (points, columns), by cubics fitted to those of the
+    n nearest cells: the values of cells are those of their centres, and means
+    over coarser cells would differ from them as much as the scheme errs. A
+    point that is a centre has the value there."""
+    values = np.reshape(values, (len(values), -1))
+    away, near = cKDTree(centres[:, :2]).query(points[:, :2], n)
+    size = away[:, -1:]
+    x, y = ((centres[near, i] - points[:, i, None])/size for i in (0, 1))
+    terms = np.stack([x**i*y**j for i in range(4) for j in range(4 - i)],
+                     axis=-1)
+    # The nearest count most: few values are as smooth as a cubic
+    counts = ((away/size)**2 + 1e-3)**-1.5
+    weights = counts*np.linalg.pinv(
+        counts[:, :, None]*terms, rcond=1e-6)[:, 0]
+    weights[away[:, 0] < 1e-6*size[:, 0]] = np.eye(1, n)[0]
+    return np.einsum("pn,pnc->pc", weights, values[near])
 
 
 def distance(a, b):

@@ -6,14 +6,15 @@ import argparse
 import os
 import shutil
 from pathlib import Path
+from resource import RUSAGE_CHILDREN, getrusage
 
 import matplotlib.pyplot as plt
 import numpy as np
 
 from cosserat.case import FILES, Case
-from cosserat.tradeoff import (distance, extrapolate, front, observed_order,
-                               override, refine, restrict, verdict)
-from studies.common import HERE, cpu_seconds, save, write
+from cosserat.tradeoff import (at_points, distance, extrapolate, front,
+                               observed_order, override, refine, verdict)
+from studies.common import HERE, save, write
 
 
 #: Quantity: its name, and how the keys of its errors end; columns of results
@@ -34,29 +35,47 @@ def copy(source, name):
     return Case(target)
 
 
+def set_end(case, time):
+    """Let a case write one time, its end; None: its own."""
+    entries = ("writeFormat ascii; writeCompression off;"
+               " writeControl adjustableRunTime; writeInterval $endTime;")
+    if time:
+        step = min(time, float(case.run(
+            "foamDictionary", "system/controlDict", "-entry", "deltaT",
+            "-value", log=False).stdout.split()[-1]))
+        entries = f"stopAt endTime; endTime {time!r}; deltaT {step!r}; {entries}"
+    with (case.path/"system/controlDict").open("a") as text:
+        text.write(f"\n{entries}\n")
+
+
+def children_seconds():
+    """Processor time of the programs that have ended [s]; a run with
+    -solveOnce prints none."""
+    used = getrusage(RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 def run(source, factor, points, time=None):
     """The case with its cells along each side multiplied by a factor, and
-    points a cell (None: as it is), up to a time (None: its own end). Returns a
-    row, and centres, volumes and results (U, omega, p_rgh) of its cells at the
-    end."""
+    points a cell (None: as it is), up to a time (None: its own end; 0: the flow
+    of the start). Returns a row, and centres and results (U, omega, p_rgh) of its cells at the end."""
     case = copy(source, f"{factor:g}-{points or 'own'}")
-    with (case.path/"system/controlDict").open("a") as text:
-        if time is not None:
-            text.write(f"\nstopAt endTime; endTime {time!r};\n")
-        text.write("\nwriteFormat ascii; writeCompression off;"
-                   " writeControl adjustableRunTime; writeInterval $endTime;\n")
+    set_end(case, time)
     if factor != 1:
         refine(case, factor)
     if points:
         override(case, FILES, pointsPerCell=points)
     case.run("blockMesh")
-    case.run("cosseratPicFoam")
+    before = children_seconds()
+    case.run("cosseratPicFoam", *(["-solveOnce"] if time == 0 else []))
+    cpu = children_seconds() - before
     row = {"factor": factor, "nCells": case.n_cells(),
-           "pointsPerCell": points, "cpu": max(cpu_seconds(case.log()), 0.01),
+           "pointsPerCell": points, "cpu": max(cpu, 0.01),
            "steps": case.log().count("\nStep ")}
     print(row, flush=True)
-    return row, (case.centres(), case.volumes(), np.column_stack(
-        [case.field("U")[:, :2], case.field("omega"), case.field("p_rgh")]))
+    U, omega, p = (case.field(name, "0" if time == 0 else None)
+                   for name in ("U", "omega", "p_rgh"))
+    return row, (case.centres(), np.column_stack([U[:, :2], omega, p]))
 
 
 def explore(source, coarsest, points, time=None):
@@ -70,7 +89,7 @@ def explore(source, coarsest, points, time=None):
     runs += [run(source, levels[1], n, time) for n in points]
     rows = [row for row, _ in runs]
     cells = runs[0][1][0]
-    results = [restrict(*fields, cells) for _, fields in runs]
+    results = [at_points(*fields, cells) for _, fields in runs]
     for end, columns in QUANTITIES.values():
         meshes = [result[:, columns] for result in results[:3]]
         limit, order, uncertainty = extrapolate(*meshes)
@@ -125,7 +144,8 @@ def main(arguments):
         " each of the others twice as fine (default 0.5: the case itself is"
         " the middle one; with 0.25 it is the finest)")
     parser.add_argument("-time", type=float, metavar="T",
-                        help="compare at this time (default: the end)")
+                        help="compare at this time, 0: the flow of the start"
+                        " (default: the end)")
     parser.add_argument("-points", type=int, nargs="*", default=[4, 9, 36],
                         help="points a cell to compare (default 4 9 36)")
     given = parser.parse_args(arguments)
@@ -147,7 +167,7 @@ def main(arguments):
     own = min(rows, key=lambda row: (abs(np.log(row["factor"])),
                                      row["pointsPerCell"] or 0))
     print("Errors of the case "
-          + (f"at {given.time:g} s" if given.time else "at its end")
+          + ("at its end" if given.time is None else f"at {given.time:g} s")
           + f", {own['nCells']} cells, by Richardson extrapolation:")
     for name, (end, _) in QUANTITIES.items():
         print(f"{name:>20}: {own[f'error{end}']:.2%}, known to"
