@@ -185,10 +185,10 @@ def worst(indicator, share=0.1):
 def around(case, cells):
     """Cells, and those of the same size that share a corner with them."""
     centres = middles(case)
-    reach = 1.5*case.volumes().min()**0.5
     depth = np.ptp(case.mesh_points()[:, 2])
+    size = (case.volumes().min()/depth)**0.5
     return np.flatnonzero(
-        cKDTree(centres[cells]).query(centres)[0] < reach/depth**0.5)
+        cKDTree(centres[cells]).query(centres)[0] < 1.5*size)
 
 
 def run(scene, n):
