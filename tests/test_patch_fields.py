@@ -359,20 +359,3 @@ def test_annulus_still_turns(tmp_path):
                    walls={"left": STILL}).write()
     case.run("cosseratPicFoam")
     assert np.abs(case.field("U", 1)).max() == 0
-
-
-def test_error_of_a_flow_driven_by_a_jump(box):
-    """The estimate solves on a coarser mesh, with the jump: its parabola is
-    exact on both, and without it the error would be the whole flow."""
-    case = box(n=16, cyclic=True, tolerance=1e-9,
-               walls={"top": STILL, "bottom": STILL},
-               materials={"a": {"eta": 1, "etaC": 0, "R": 0}})
-    path = case.path/"system/controlDict"
-    path.write_text(path.read_text().replace(
-        "functions\n{", "functions\n{ error { type errorEstimate;"
-        " libs (cosseratFunctionObjects); }"))
-    entry = "type fixedJump; patchType cyclic; value uniform 0;"
-    cyclic_entries(case, entry + " jump uniform 0.8;", entry)
-    case.run("cosseratPicFoam")
-    assert np.abs(case.field("U", 1)).max() > 0.05
-    assert 0 < case.table("error", "errorEstimate.dat")[0, 1] < 1e-7

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cosserat.analytic import shear_strain
-from cosserat.box import Annulus, add_points
+from cosserat.scenes.box import Annulus, add_points
 
 FLUID = {"a": {"eta": 1, "etaC": 0, "R": 0}}
 STRAIN = "strain { type accumulatedStrain; onMesh yes; }"

@@ -1,5 +1,5 @@
 """Accuracy and cost of runs: settings that override those of a case,
-restriction to a coarse mesh, Richardson extrapolation, Pareto front."""
+values at the centres of another mesh, Richardson extrapolation, Pareto front."""
 
 import re
 
@@ -58,28 +58,63 @@ def refine(case, factor):
         text.write(f"\nblocks {blocks.strip()};\n")
 
 
-def restrict(centres, volumes, values, coarse):
-    """Means of values, weighted by volume, of the cells that are nearest to
-    each centre of a coarser mesh; NaN where there is none."""
-    nearest = cKDTree(coarse[:, :2]).query(centres[:, :2])[1]
-    weight = np.bincount(nearest, volumes, len(coarse))
-    sums = [np.bincount(nearest, volumes*column, len(coarse))
-            for column in np.reshape(values, (len(values), -1)).T]
-    with np.errstate(invalid="ignore"):
-        return np.column_stack(sums)/weight[:, None]
+def at_points(centres, values, points, n=16):
+    """Values at points, (points, columns), by cubics fitted to those of the
+    n nearest cells: the values of cells are those of their centres, and means
+    over coarser cells would differ from them as much as the scheme errs. A
+    point that is a centre has the value there."""
+    values = np.reshape(values, (len(values), -1))
+    away, near = cKDTree(centres[:, :2]).query(points[:, :2], n)
+    size = away[:, -1:]
+    x, y = ((centres[near, i] - points[:, i, None])/size for i in (0, 1))
+    terms = np.stack([x**i*y**j for i in range(4) for j in range(4 - i)],
+                     axis=-1)
+    # The nearest count most: few values are as smooth as a cubic
+    counts = ((away/size)**2 + 1e-3)**-1.5
+    weights = counts*np.linalg.pinv(
+        counts[:, :, None]*terms, rcond=1e-6)[:, 0]
+    weights[away[:, 0] < 1e-6*size[:, 0]] = np.eye(1, n)[0]
+    return np.einsum("pn,pnc->pc", weights, values[near])
 
 
 def distance(a, b):
-    """Relative distance |a - b|/|b| in the Euclidean norm."""
+    """Relative distance |a - b|/|b| in the Euclidean norm, zero where both
+    are."""
     a, b = np.ravel(a), np.ravel(b)
     known = np.isfinite(a) & np.isfinite(b)
-    return float(np.linalg.norm((a - b)[known])/np.linalg.norm(b[known]))
+    miss = np.linalg.norm((a - b)[known])
+    return float(miss/np.linalg.norm(b[known])) if miss > 0 else 0.0
+
+
+def observed_order(coarse, middle, fine, ratio=2.0):
+    """log(|middle - coarse|/|fine - middle|)/log(ratio) of results on three
+    meshes: zero or less where the steps between them do not shrink; infinite
+    where the second is nothing."""
+    first, second = (
+        float(np.linalg.norm(np.nan_to_num(np.asarray(a) - np.asarray(b))))
+        for a, b in ((middle, coarse), (fine, middle)))
+    if second == 0:
+        return np.inf
+    return float(np.log(max(first, 1e-300)/second)/np.log(ratio))
+
+
+def verdict(order, orders=(1.0, 3.0)):
+    """What an observed order says of an extrapolation within orders."""
+    if order <= 0:
+        return ("NO ERROR CAN BE GIVEN: the steps between the meshes do not"
+                " shrink, so that they tell nothing of the limit")
+    if order < orders[0]:
+        return (f"A GUESS: the steps between the meshes shrink more slowly"
+                f" than those of order {orders[0]:g}, which was taken")
+    if order > orders[1]:
+        return f"order {orders[1]:g} was taken, the highest of the scheme"
+    return ""
 
 
 def extrapolate(coarse, middle, fine, ratio=2.0, orders=(1.0, 3.0)):
     """Limit of results on three meshes, each finer by `ratio`, by Richardson:
 
-        p = log(|middle - coarse|/|fine - middle|)/log(ratio), within orders
+        p = observed_order(), within orders
         limit = fine + (fine - middle)/(ratio^p - 1)
 
     Below order one results have not begun to converge, and the limit is but
@@ -87,12 +122,8 @@ def extrapolate(coarse, middle, fine, ratio=2.0, orders=(1.0, 3.0)):
     added, |limit - fine|/|limit|."""
     coarse, middle, fine = (np.asarray(q, float)
                             for q in (coarse, middle, fine))
-    steps = [np.linalg.norm(np.nan_to_num(q))
-             for q in (middle - coarse, fine - middle)]
-    order = orders[1]
-    if steps[1] > 0:
-        order = float(np.clip(np.log(max(steps[0], 1e-300)/steps[1])
-                              / np.log(ratio), *orders))
+    order = float(np.clip(observed_order(coarse, middle, fine, ratio),
+                          *orders))
     limit = fine + (fine - middle)/(ratio**order - 1)
     return limit, order, distance(fine, limit)
 

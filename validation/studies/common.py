@@ -14,7 +14,7 @@ NAMES = ["convergence", "significance", "internalLength", "longShear",
          "extremes", "solveCost", "sceneCost", "pointIntegration",
          "rigidShear", "pointDistribution", "pointCoupling", "rayleighTaylor",
          "siloVolume", "pointCost", "freeSurface", "parallel", "speedAccuracy",
-         "soak", "mutations", "kills", "errorEstimate", "finiteElements",
+         "soak", "mutations", "kills", "errorIndicator", "finiteElements",
          "cornerRelatives", "jumps", "peers"]
 
 HERE = Path(__file__).resolve().parents[1]

@@ -386,6 +386,46 @@ class Flow:
                  if self.etaC[cell] or self.M[cell] else np.nan)
         return float(u), float(v), float(omega), float(p)
 
+    def find_all(self, points):
+        """Cells of many points, (points, 2), and their places in the square."""
+        cells = np.full(len(points), -1)
+        places, best = np.zeros((len(points), 2)), np.full(len(points), 1e-6)
+        low, high = self.places.min(axis=1), self.places.max(axis=1)
+        slack = 0.1*(high - low)
+        for cell, corners in enumerate(self.places):
+            near = np.flatnonzero(
+                ((points >= low[cell] - slack[cell])
+                 & (points <= high[cell] + slack[cell])).all(axis=1))
+            xi = np.zeros((len(near), 2))
+            for _ in range(10 if len(near) else 0):
+                miss = points[near] - self.shape.values(xi) @ corners
+                J = np.einsum("pna,nd->pda", self.shape.gradients(xi), corners)
+                step = np.linalg.solve(J, miss[:, :, None])[:, :, 0]
+                xi = np.clip(xi + step, -3, 3)
+                if np.abs(step).max() < 1e-13:
+                    break
+            outside = np.abs(xi).max(axis=1) - 1
+            closer = outside < best[near]
+            cells[near[closer]] = cell
+            places[near[closer]] = xi[closer]
+            best[near[closer]] = outside[closer]
+        if (cells < 0).any():
+            raise ValueError(f"{points[cells < 0][0]} is not in the mesh")
+        return cells, places
+
+    def gradients_at(self, points):
+        """Velocity u, v and omega of many points, (points, 3), and their
+        gradients [point, j, i]; no omega where nothing has one."""
+        cells, xi = self.find_all(points)
+        slopes = self.shape.gradients(xi)
+        J = np.einsum("pna,pnd->pda", slopes, self.places[cells])
+        slopes = slopes @ np.linalg.inv(J)
+        fields = np.concatenate([self.u, self.omega[:, None]],
+                                axis=1)[self.nodes[cells]]
+        fields[~((self.etaC > 0) | (self.M > 0))[cells], :, 2] = np.nan
+        return (np.einsum("pn,pni->pi", self.shape.values(xi), fields),
+                np.einsum("pnj,pni->pji", slopes, fields))
+
 
 def _sparse(blocks, rows, columns, shape):
     """Sum of dense blocks (n, r, c) at rows (n, r) and columns (n, c)."""

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from cosserat.case import Case, ROOT, parse_list
+from cosserat.refined import middles, refine_cells
 from cosserat.triangles import write_prisms
 
 HEADER = """FoamFile
@@ -77,15 +78,16 @@ class Box:
     material, where there are two; U, omega: functions (x, y) for the initial
     fields; force, couple: functions (x, y) for a body force and a body couple;
     warp: function (x, y) -> (x, y) that moves the points of the mesh;
-    triangles: True for triangular prisms; average: of the viscosities (None:
-    left out).
+    triangles: True for triangular prisms; halved: function (x, y) -> is the
+    cell there halved both ways; average: of the viscosities (None: left out).
     """
 
     def __init__(self, path, n=16, materials=None, walls=None, g=(0, 0, 0),
                  cyclic=False, fractions=None, U=None, omega=None,
                  tolerance=1e-10, shear=0.0, notConverged="error",
                  symmetry=(), xmin=-0.5, force=None, couple=None,
-                 average="arithmetic", warp=None, triangles=False):
+                 average="arithmetic", warp=None, triangles=False,
+                 halved=None):
         self.case = Case(Path(path))
         self.n, self.materials, self.g = n, materials, g
         self.cyclic, self.fractions, self.shear = cyclic, fractions, shear
@@ -93,7 +95,7 @@ class Box:
         self.notConverged, self.symmetry = notConverged, symmetry
         self.xmin, self.average = xmin, average
         self.force, self.couple = force, couple
-        self.warp, self.triangles = warp, triangles
+        self.warp, self.triangles, self.halved = warp, triangles, halved
         self.walls = {side: ("type slip;", "type zeroGradient;")
                       for side in SIDES}
         self.walls.update(walls or {})
@@ -153,6 +155,9 @@ dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
         else:
             self.mesh()
             self.case.run("blockMesh", "-noFunctionObjects")
+        if self.halved:
+            refine_cells(self.case, np.flatnonzero(
+                self.halved(*middles(self.case).T)))
         if self.warp:
             self.move_points()
         (self.case.path/"0").mkdir(exist_ok=True)

@@ -475,24 +475,6 @@ void Foam::creepingFlow::report()
 
 Foam::creepingFlow::creepingFlow(materialFields& materials)
 :
-    creepingFlow
-    (
-        materials,
-        readField<vector>("U", materials.mesh()),
-        readField<scalar>("p_rgh", materials.mesh()),
-        readOmega(materials)
-    )
-{}
-
-
-Foam::creepingFlow::creepingFlow
-(
-    materialFields& materials,
-    const volVectorField& U,
-    const volScalarField& pRgh,
-    const volScalarField& omega
-)
-:
     regIOobject
     (
         IOobject
@@ -508,8 +490,16 @@ Foam::creepingFlow::creepingFlow
     materials_(materials),
     controls_(mesh_.solutionDict().subOrEmptyDict(typeName)),
     goOn_(readGoOn()),
-    U_(fieldIO("U", mesh_, IOobject::NO_READ), U),
-    pRgh_(fieldIO("p_rgh", mesh_, IOobject::NO_READ), pRgh),
+    U_
+    (
+        fieldIO("U", mesh_, IOobject::NO_READ),
+        readField<vector>("U", mesh_)
+    ),
+    pRgh_
+    (
+        fieldIO("p_rgh", mesh_, IOobject::NO_READ),
+        readField<scalar>("p_rgh", mesh_)
+    ),
     p_
     (
         fieldIO("p", mesh_, IOobject::NO_READ),
@@ -517,7 +507,7 @@ Foam::creepingFlow::creepingFlow
         dimensionedScalar(dimPressure, Zero),
         "calculated"
     ),
-    omega_(fieldIO("omega", mesh_, IOobject::NO_READ), omega),
+    omega_(fieldIO("omega", mesh_, IOobject::NO_READ), readOmega(materials)),
     phi_
     (
         fieldIO("phi", mesh_, IOobject::NO_READ),

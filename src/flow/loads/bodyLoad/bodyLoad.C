@@ -33,12 +33,6 @@ Foam::autoPtr<FieldType> Foam::bodyLoad::read
     const dimensionSet& dims
 )
 {
-    // Of a mesh without files the field may be there already
-    if (const FieldType* given = mesh.findObject<FieldType>(name))
-    {
-        return autoPtr<FieldType>(new FieldType(*given));
-    }
-
     IOobject io
     (
         name,

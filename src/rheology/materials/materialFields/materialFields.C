@@ -328,11 +328,7 @@ bool Foam::materialFields::fractionsMoved() const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::materialFields::materialFields
-(
-    const fvMesh& mesh,
-    const bool readFractions
-)
+Foam::materialFields::materialFields(const fvMesh& mesh)
 :
     mesh_(mesh),
     dict_
@@ -384,7 +380,7 @@ Foam::materialFields::materialFields
     etaC_(newField("etaC", materials_[0].law().etaC())),
     M_(newField("M", materials_[0].law().M())),
     invB_(newField("invB", materials_[0].law().invB())),
-    fractionsRead_(readFractions),
+    fractionsRead_(true),
     nChanges_(1)
 {
     checkedEntry::reportUnread
@@ -399,7 +395,7 @@ Foam::materialFields::materialFields
             IOobject::groupName("alpha", materials_[m].name()),
             mesh.time().timeName(),
             mesh,
-            readFractions ? IOobject::READ_IF_PRESENT : IOobject::NO_READ,
+            IOobject::READ_IF_PRESENT,
             IOobject::AUTO_WRITE
         );
 
