@@ -353,7 +353,8 @@ void Foam::creepingFlow::unpack()
           : 0.5*state_.curl(celli);
     }
 
-    p_.primitiveFieldRef() = SubField<scalar>(x_, n, 2*n) + system_.loads().rhoGh();
+    p_.primitiveFieldRef() =
+        SubField<scalar>(x_, n, 2*n) + system_.loads().rhoGh();
 
     // Coupled patches by evaluation, then the others as the system has them
     U_.correctBoundaryConditions();
@@ -452,13 +453,14 @@ void Foam::creepingFlow::report()
             << "Flow not converged at time " << mesh_.time().timeName()
             << " after " << performance_.iterations << " iterations:"
             << " residuals of U, p_rgh, omega " << performance_.final << nl
-            << "    Largest etaC/eta " << system_.coefficients().largestCoupling()
+            << "    Largest etaC/eta "
+            << system_.coefficients().largestCoupling()
             << ", largest jump of eta between cells "
             << system_.coefficients().largestJump() << nl
             << "    Mesh: distances to neighbours up to "
             << system_.faces().largestAspect() << " : 1, faces up to "
-            << system_.faces().largestAngle() << " degrees from the path through them"
-            << nl
+            << system_.faces().largestAngle()
+            << " degrees from the path through them" << nl
             << "    Cures, in system/fvSolution, creepingFlow: a larger"
             << " maxIter or nDirections, block direct in preconditioner, a"
             << " larger tolerance; or notConverged warn, to go on"

@@ -150,10 +150,8 @@ void Foam::flowLoads::setHeights(const vector& periodic)
     const scalar level = far && !given.byWeight ? given.least*gh : 0;
 
     fromPRgh_ = rho*gh - level;
-    rhoGh_ =
-        rho
-       *(gradientGravity_ & (mesh_.mesh().C().primitiveField() - height_.middle()))
-      + level;
+    const vectorField& C = mesh_.mesh().C();
+    rhoGh_ = rho*(gradientGravity_ & (C - height_.middle())) + level;
 
     givenFromPRgh_ = scalarField(mesh_.nSlots() - mesh_.nCells(), Zero);
     for (const label patchi : boundary_.patches())

@@ -445,9 +445,11 @@ Foam::wordList Foam::materialFields::names() const
 
 Foam::tmp<Foam::scalarField> Foam::materialFields::flowingDensity() const
 {
+    typedef const materialProperty& property;
+
     return layerMean
     (
-        all([](const material& m) -> const materialProperty& { return m.rho(); })
+        all([](const material& m) -> property { return m.rho(); })
     );
 }
 
