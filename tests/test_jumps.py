@@ -166,15 +166,24 @@ def test_points_and_fractions_agree(tmp_path, name, near):
     assert u[0] == pytest.approx(u[1], rel=near)
 
 
+@pytest.mark.parametrize("name, contrast, cells, near", [
+    ("blockThroughCells", 1e6, 62, 0.01), ("blockThroughCells", 1e2, 62, 0.01),
+    ("blockThroughCells", 1e-4, 62, 0.05), ("disc", 1e6, 64, 0.012)])
+def test_cut_cells_are_accurate(tmp_path, name, contrast, cells, near):
+    """The mean velocity of bodies by the default. With one viscosity per cut
+    cell, of layers in series, blocks are off by 4 to 7 %."""
+    found, _ = jumps.run(tmp_path/"case", name, contrast, cells)
+    assert abs(found["quantities"]["u"].error) < near
+    assert found["iterations"] < 75
+
+
 @pytest.mark.parametrize("name", jumps.SCENES)
 def test_scene_runs(tmp_path, name):
     """Each scene at its mildest jump, on its coarsest cells: what it measures
-    is near its reference. A soft body that has a quarter of each cell of its
-    rim is 27.6 % too fast there."""
+    is near its reference."""
     scene = jumps.SCENES[name]
     mildest = min(scene.contrasts, key=lambda c: abs(np.log(c)))
     found, _ = jumps.run(tmp_path/"case", name, mildest, min(scene.cells))
     main = next(iter(found["quantities"].values()))
-    worst = 0.29 if name == "blockThroughCells, 1/4" else 0.18
-    assert abs(main.error) < worst, found
+    assert abs(main.error) < 0.18, found
     assert found["iterations"] < 100

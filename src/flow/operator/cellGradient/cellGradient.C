@@ -174,21 +174,22 @@ void Foam::cellGradient::weight(operatorState& s) const
         const planarFace& face = mesh_[jump.f];
         const label P = face.own, N = face.nei;
         const vector2D d(s.u[N] - s.u[P]), t(face.t());
-        const scalar vn = (face.w - K_[jump.f].wStiff)*(d & face.n);
-        scalar vt = (face.w - jump.w)*(d & t);
-        if (K_.cosserat())
-        {
-            vt += jump.compliance*2
-               *(K_.es(N)*s.omega[N] - K_.es(P)*s.omega[P]);
-        }
 
-        const vector2D v(vn*face.n + vt*t);
         for (const label celli : {P, N})
         {
-            if (celli < mesh_.nCells())
+            if (celli >= mesh_.nCells())
             {
-                s.G[celli] += mesh_.gradientVector(celli, jump.f)*v;
+                continue;
             }
+            const jumpSide& side = jump.sides[celli == P ? 0 : 1];
+            const scalar vn = (face.w - side.wn)*(d & face.n);
+            scalar vt = (face.w - side.wt)*(d & t);
+            if (K_.cosserat())
+            {
+                vt += side.omegaP*s.omega[P] + side.omegaN*s.omega[N];
+            }
+            s.G[celli] +=
+                mesh_.gradientVector(celli, jump.f)*(vn*face.n + vt*t);
         }
     }
 
@@ -292,17 +293,15 @@ void Foam::cellGradient::addFaceAdjoint
     scalarField& r
 ) const
 {
-    auto onFace = [&](const planarFace& face)
-    {
-        return vector2D(face.S*(face.n & (B[face.own] - B[face.nei])));
-    };
-
     mesh_.forTwoSided
     (
         [&](const label f)
         {
             const planarFace& face = mesh_[f];
-            const vector2D b(onFace(face));
+            const vector2D b
+            (
+                face.S*(face.n & (B[face.own] - B[face.nei]))
+            );
             all.addForce(r, face.own, face.w*b);
             all.addForce(r, face.nei, (1 - face.w)*b);
         }
@@ -312,12 +311,18 @@ void Foam::cellGradient::addFaceAdjoint
     for (const jumpFace& jump : K_.jumps())
     {
         const planarFace& face = mesh_[jump.f];
-        const vector2D b(onFace(face)), t(face.t());
-        const vector2D c
-        (
-            (face.w - K_[jump.f].wStiff)*(b & face.n)*face.n
-          + (face.w - jump.w)*(b & t)*t
-        );
+        const vector2D t(face.t());
+        vector2D c(Zero);
+        for (const label k : {0, 1})
+        {
+            const jumpSide& side = jump.sides[k];
+            const vector2D b
+            (
+                (k ? -face.S : face.S)*(face.n & B[k ? face.nei : face.own])
+            );
+            c += (face.w - side.wn)*(b & face.n)*face.n
+               + (face.w - side.wt)*(b & t)*t;
+        }
         all.addForce(r, face.own, -c);
         all.addForce(r, face.nei, c);
     }

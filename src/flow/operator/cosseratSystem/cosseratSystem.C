@@ -29,10 +29,11 @@ void Foam::cosseratSystem::setViscosities
 (
     const scalarField& eta,
     const scalarField& etaC,
-    const scalarField& M
+    const scalarField& M,
+    const cutCells* cuts
 )
 {
-    K_.set(eta, etaC, M, materials_.invB().primitiveField());
+    K_.set(eta, etaC, M, materials_.invB().primitiveField(), cuts);
     setRAU();
 }
 
@@ -78,7 +79,7 @@ void Foam::cosseratSystem::setCorners
     scalarField etaAround(eta), etaCAround(etaC), MAround(M);
     while (corners_.takeJobs(etaAround, etaCAround, MAround))
     {
-        setViscosities(etaAround, etaCAround, MAround);
+        setViscosities(etaAround, etaCAround, MAround, nullptr);
         corners_.doJobs
         (
             [&](const scalarField& x, scalarField& r)
@@ -363,7 +364,10 @@ void Foam::cosseratSystem::update()
     {
         setCorners(eta, etaC, M);
     }
-    setViscosities(eta, etaC, M);
+    setViscosities
+    (
+        eta, etaC, M, materials_.layered() ? &materials_.cuts() : nullptr
+    );
     loads_.update(M);
     setWeights();
 }

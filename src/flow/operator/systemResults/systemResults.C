@@ -172,7 +172,7 @@ Foam::tmp<Foam::scalarField> Foam::systemResults::dissipated() const
             share
             (
                 face, system_.viscous().onFace(s_, f) & d,
-                ownersShare(face, K.a(face.own), K.a(face.nei)), power
+                ownersShare(face, K.side(f, 0).a, K.side(f, 1).a), power
             );
         }
     );
@@ -220,7 +220,7 @@ Foam::tmp<Foam::scalarField> Foam::systemResults::bent() const
                 share
                 (
                     face, system_.viscous().coupleOnFace(s_, f)*d,
-                    ownersShare(face, K.M(face.own), K.M(face.nei)), power
+                    ownersShare(face, K.side(f, 0).M, K.side(f, 1).M), power
                 );
             }
         }

@@ -22,8 +22,175 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "viscousCoefficients.H"
+#include "syncTools.H"
+#include <functional>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::viscousCoefficients::setSides(const cutCells& cuts)
+{
+    const planarFrame& frame = mesh_.frame();
+    sides_.setSize(mesh_.nFaces());
+
+    auto side = [&](const label f, const label k, const scalar part)
+    {
+        const planarFace& face = mesh_[f];
+        const label celli = k ? face.nei : face.own;
+        return
+            celli < mesh_.nCells() && cuts.cut(celli)
+          ? cuts.along
+            (
+                celli,
+                frame.inSpace(vector2D(part/face.dc*face.m)),
+                frame.inSpace(face.n)
+            )
+          : at(celli);
+    };
+
+    mesh_.forTwoSided
+    (
+        [&](const label f)
+        {
+            sides_[f][0] = side(f, 0, 1 - mesh_[f].w);
+            sides_[f][1] = side(f, 1, -mesh_[f].w);
+        }
+    );
+    for (const label f : mesh_.oneSided())
+    {
+        sides_[f] = side(f, 0, 1);
+    }
+    swapSides();
+}
+
+
+void Foam::viscousCoefficients::swapSides()
+{
+    typedef cutCells::layers layers;
+    const fvMesh& mesh = mesh_.mesh();
+    scalarList behind(mesh.nFaces() - mesh_.nInternal());
+
+    auto onCoupled = [&](const std::function<void(label, label)>& act)
+    {
+        for (const label patchi : mesh_.halo().coupledPatches())
+        {
+            const polyPatch& patch = mesh.boundaryMesh()[patchi];
+            const label start = mesh_.faceOf(mesh_.halo().start(patchi));
+            forAll(patch, i)
+            {
+                act(start + i, patch.start() - mesh_.nInternal() + i);
+            }
+        }
+    };
+
+    for
+    (
+        scalar layers::* const part :
+        {&layers::eta, &layers::a, &layers::b, &layers::es, &layers::etaC,
+         &layers::M, &layers::facing}
+    )
+    {
+        behind = 0;
+        onCoupled
+        (
+            [&](const label f, const label i) { behind[i] = sides_[f][0].*part; }
+        );
+        syncTools::swapBoundaryFaceList(mesh, behind);
+        onCoupled
+        (
+            [&](const label f, const label i) { sides_[f][1].*part = behind[i]; }
+        );
+    }
+}
+
+
+bool Foam::viscousCoefficients::jumps(const label f) const
+{
+    const label P = mesh_[f].own, N = mesh_[f].nei;
+    // Beyond rounding
+    const scalar least = 1e-12*a(P);
+
+    auto differ = [&](const scalar aP, const scalar bP, const label i)
+    {
+        return mag(aP - a(i)) > least || mag(bP - b(i)) > least;
+    };
+
+    if (differ(a(P), b(P), N))
+    {
+        return true;
+    }
+    if (sides_.empty())
+    {
+        return false;
+    }
+    const cutCells::layers& sP = sides_[f][0];
+    const cutCells::layers& sN = sides_[f][1];
+    return differ(sP.a, sP.b, P) || differ(sN.a, sN.b, N);
+}
+
+
+Foam::scalar Foam::viscousCoefficients::stiffShare(const label f) const
+{
+    scalar facing = 0;
+    label n = 0;
+    for (label k = 0; k < 2 && sides_.size(); ++k)
+    {
+        if (sides_[f][k].facing >= 0)
+        {
+            facing += sides_[f][k].facing;
+            ++n;
+        }
+    }
+    return n ? pow4(facing/n) : 1;
+}
+
+
+Foam::jumpFace Foam::viscousCoefficients::setJump(const label f)
+{
+    const planarFace& face = mesh_[f];
+    viscousFace& K = faces_[f];
+    const scalar wP = face.w, wN = 1 - wP;
+    const scalar etaP = eta_[face.own], etaN = eta_[face.nei];
+    K.wStiff = wP*etaP/(wP*etaP + wN*etaN);
+    K.wSoft = wP*etaN/(wP*etaN + wN*etaP);
+    const scalar x = stiffShare(f);
+    K.wq = x*K.wStiff + (1 - x)*K.wSoft;
+
+    // Along the path
+    const scalar l[] = {1 - face.w, face.w};
+    scalar a = 0, eta = 0, b = 0, e[2];
+    for (label k = 0; k < 2; ++k)
+    {
+        const cutCells::layers side(this->side(f, k));
+        a += l[k]/side.a;
+        eta += l[k]/side.eta;
+        b += l[k]*side.b/side.a;
+        e[k] = 2*l[k]*side.es/side.a;
+    }
+
+    jumpFace jump;
+    jump.f = f;
+    for (label k = 0; k < 2; ++k)
+    {
+        const label celli = k ? face.nei : face.own;
+        const cutCells::layers side(this->side(f, k));
+        const cutCells::layers own(this->a(celli) > side.a ? at(celli) : side);
+
+        // From the cell to the face, u changes by these shares
+        const scalar n = l[k]/(own.eta*eta), t = l[k]/(own.a*a);
+        const scalar sign = k ? -1 : 1;
+        jumpSide& take = jump.sides[k];
+        take.wn = k ? n : 1 - n;
+        take.wt = k ? t : 1 - t;
+        take.q = sign*(t*b - l[k]*own.b/own.a)/face.dc;
+
+        scalar omega[] = {t*e[0], t*e[1]};
+        omega[k] -= 2*l[k]*own.es/own.a;
+        take.omegaP = sign*omega[0]/face.dc;
+        take.omegaN = sign*omega[1]/face.dc;
+    }
+    return jump;
+}
+
 
 void Foam::viscousCoefficients::setFace
 (
@@ -32,20 +199,20 @@ void Foam::viscousCoefficients::setFace
 )
 {
     const planarFace& face = mesh_[f];
-    const label P = face.own, N = face.nei;
     const scalar lP = 1 - face.w, lN = 1 - lP;
-    const scalar a = 1/(lP/this->a(P) + lN/this->a(N));
-    const scalar eta = 1/(lP/eta_[P] + lN/eta_[N]);
+    const cutCells::layers P(side(f, 0)), N(side(f, 1));
+    const scalar a = 1/(lP/P.a + lN/N.a);
+    const scalar eta = 1/(lP/P.eta + lN/N.eta);
 
     viscousFace& K = faces_[f];
     K.Kn = 2*eta*face.dc*face.S;
     K.Kt = a*face.dc*face.S;
-    K.Kq = a*face.S*(lP*b(P)/this->a(P) + lN*b(N)/this->a(N));
-    K.wStiff = K.wSoft = face.w;
+    K.Kq = a*face.S*(lP*P.b/P.a + lN*N.b/N.a);
+    K.wStiff = K.wSoft = K.wq = face.w;
 
     if (compressible_)
     {
-        const bool counts = invB_[P] > 0 || invB_[N] > 0;
+        const bool counts = invB_[face.own] > 0 || invB_[face.nei] > 0;
         Kb_[f] = counts ? eta*face.S : 0;
         K.Kn *= counts ? 0.5 : 1;
     }
@@ -53,16 +220,9 @@ void Foam::viscousCoefficients::setFace
     {
         setRotationFace(f, a, eta);
     }
-
-    // Beyond rounding
-    const scalar least = 1e-12*this->a(P);
-    if (mag(this->a(P) - this->a(N)) > least || mag(b(P) - b(N)) > least)
+    if (this->jumps(f))
     {
-        const scalar kP = this->a(P)/lP, kN = this->a(N)/lN;
-        const scalar wP = face.w, wN = 1 - wP;
-        K.wStiff = wP*eta_[P]/(wP*eta_[P] + wN*eta_[N]);
-        K.wSoft = wP*eta_[N]/(wP*eta_[N] + wN*eta_[P]);
-        jumps.append({f, kP/(kP + kN), 1/(face.dc*(kP + kN))});
+        jumps.append(setJump(f));
     }
 }
 
@@ -75,21 +235,21 @@ void Foam::viscousCoefficients::setRotationFace
 )
 {
     const planarFace& face = mesh_[f];
-    const label P = face.own, N = face.nei;
     const scalar lP = 1 - face.w, lN = 1 - lP;
-    const scalar cP = a*face.S*lP/this->a(P), cN = a*face.S*lN/this->a(N);
+    const cutCells::layers P(side(f, 0)), N(side(f, 1));
+    const scalar cP = a*face.S*lP/P.a, cN = a*face.S*lN/N.a;
 
     cosseratFace& K = rotation_[f];
-    K.KwP = 2*es_[P]*cP;
-    K.KwN = 2*es_[N]*cN;
+    K.KwP = 2*P.es*cP;
+    K.KwN = 2*N.es*cN;
     K.KsP = relativeCoefficient(P, f)*cP;
     K.KsN = relativeCoefficient(N, f)*cN;
 
     K.Km = 0;
-    if (M_[P] > 0 && M_[N] > 0)
+    if (P.M > 0 && N.M > 0)
     {
-        const scalar M = 1/(lP/M_[P] + lN/M_[N]);
-        const scalar es = 1/(lP/es_[P] + lN/es_[N]);
+        const scalar M = 1/(lP/P.M + lN/N.M);
+        const scalar es = 1/(lP/P.es + lN/N.es);
         const scalar kappa = es*(2*es + eta)/(3*(eta + es));
         K.Km = face.dc*face.S*M/(1 + kappa/(M*sqr(face.dc)));
     }
@@ -99,28 +259,28 @@ void Foam::viscousCoefficients::setRotationFace
 void Foam::viscousCoefficients::setWall(const label f)
 {
     const planarFace& face = mesh_[f];
-    const label P = face.own;
+    const cutCells::layers P(side(f, 0));
 
     viscousFace& K = faces_[f];
-    K.Kn = 2*eta_[P]*face.dc*face.S;
-    K.Kt = a(P)*face.dc*face.S;
-    K.Kq = b(P)*face.S;
-    K.wStiff = K.wSoft = face.w;
+    K.Kn = 2*P.eta*face.dc*face.S;
+    K.Kt = P.a*face.dc*face.S;
+    K.Kq = P.b*face.S;
+    K.wStiff = K.wSoft = K.wq = face.w;
 
     if (compressible_)
     {
-        const bool counts = invB_[P] > 0;
-        Kb_[f] = counts ? eta_[P]*face.S : 0;
+        const bool counts = invB_[face.own] > 0;
+        Kb_[f] = counts ? P.eta*face.S : 0;
         K.Kn *= counts ? 0.5 : 1;
     }
     if (cosserat_)
     {
         cosseratFace& Kr = rotation_[f];
-        Kr.KwN = 2*es_[P]*face.S*wallShare(f);
-        Kr.KwP = 2*es_[P]*face.S - Kr.KwN;
+        Kr.KwN = 2*P.es*face.S*wallShare(f);
+        Kr.KwP = 2*P.es*face.S - Kr.KwN;
         Kr.KsP = relativeCoefficient(P, f)*face.S;
         Kr.KsN = 0;
-        Kr.Km = M_[P]*face.dc*face.S;
+        Kr.Km = M_[face.own]*face.dc*face.S;
     }
 }
 
@@ -159,7 +319,8 @@ void Foam::viscousCoefficients::set
     const scalarField& eta,
     const scalarField& etaC,
     const scalarField& M,
-    const scalarField& invB
+    const scalarField& invB,
+    const cutCells* cuts
 )
 {
     const label n = mesh_.nCells();
@@ -183,6 +344,12 @@ void Foam::viscousCoefficients::set
     }
     es_ = min(etaC_, eta_);
 
+    sides_.clear();
+    if (cuts)
+    {
+        setSides(*cuts);
+    }
+
     DynamicList<jumpFace> jumps;
     mesh_.forTwoSided([&](const label f) { setFace(f, jumps); });
     for (const label f : mesh_.oneSided())
@@ -205,23 +372,24 @@ void Foam::viscousCoefficients::set
 
 Foam::scalar Foam::viscousCoefficients::resolution
 (
-    const label celli,
+    const scalar etaC,
+    const scalar M,
     const label f
 ) const
 {
-    const scalar m = M_[celli]*sqr(mesh_[f].dc);
-    return m > 0 ? etaC_[celli]*m/sqr(m + etaC_[celli]) : 0;
+    const scalar m = M*sqr(mesh_[f].dc);
+    return m > 0 ? etaC*m/sqr(m + etaC) : 0;
 }
 
 
 Foam::scalar Foam::viscousCoefficients::relativeCoefficient
 (
-    const label celli,
+    const cutCells::layers& side,
     const label f
 ) const
 {
-    return 2*(etaC_[celli] - es_[celli])
-      - (2.0/3.0)*etaC_[celli]*resolution(celli, f);
+    return 2*(side.etaC - side.es)
+      - (2.0/3.0)*side.etaC*resolution(side.etaC, side.M, f);
 }
 
 

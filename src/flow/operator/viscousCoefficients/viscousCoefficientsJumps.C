@@ -63,9 +63,10 @@ void Foam::viscousCoefficients::addJump
 
     // G_ij += s_i v_j, v = n vn + t vt: u_n,t = t_k G_kl n_l of two layers in
     // vt, and in both the way k to the normal
-    const scalar q = jump.compliance*(b(face.nei) - b(face.own));
-    const scalar kn = (face.w - faces_[jump.f].wStiff)/face.dc;
-    const scalar kt = (face.w - jump.w)/face.dc;
+    const jumpSide& side = jump.sides[celli == face.own ? 0 : 1];
+    const scalar q = side.q;
+    const scalar kn = (face.w - side.wn)/face.dc;
+    const scalar kt = (face.w - side.wt)/face.dc;
 
     for (label ij = 0; ij < 4; ++ij)
     {

@@ -79,7 +79,11 @@ Foam::vector2D Foam::viscousForce::onFace
     scalar Fn = K.Kn*(d & n);
     scalar Ft =
         K.Kt*(d & t)
-      + K.Kq*(wP*s.tangentialOfNormal(P, n) + wN*s.tangentialOfNormal(N, n));
+      + K.Kq*
+        (
+            K.wq*s.tangentialOfNormal(P, n)
+          + (1 - K.wq)*s.tangentialOfNormal(N, n)
+        );
 
     if (K_.cosserat())
     {

@@ -164,7 +164,7 @@ void Foam::materialFields::average
                 }
                 case averageType::LAYERED:
                 {
-                    // layerMean()
+                    // cutCells
                     break;
                 }
             }
@@ -180,36 +180,6 @@ void Foam::materialFields::average
     }
 
     field.correctBoundaryConditions();
-}
-
-
-Foam::tmp<Foam::scalarField> Foam::materialFields::layerMean
-(
-    const UPtrList<const materialProperty>& values
-) const
-{
-    tmp<scalarField> tmean(new scalarField(mesh_.nCells(), Zero));
-    scalarField& mean = tmean.ref();
-    scalarField compliance(mesh_.nCells(), Zero);
-
-    forAll(alphas_, m)
-    {
-        const scalarField& alpha = alphas_[m].primitiveField();
-        const viscosityLaw& law = materials_[m].law();
-        // Without bending viscosity etaC has no effect
-        const bool cosserat = law.M().value() > 0;
-
-        forAll(mean, celli)
-        {
-            const scalar etaC = cosserat ? law.etaC()[celli] : 0;
-            const scalar share = alpha[celli]/(law.eta()[celli] + etaC);
-            compliance[celli] += share;
-            mean[celli] += share*values[m][celli];
-        }
-    }
-    mean /= compliance;
-
-    return tmean;
 }
 
 
@@ -242,6 +212,22 @@ void Foam::materialFields::copy
 }
 
 
+void Foam::materialFields::takeCuts()
+{
+    cuts_.update(alphas_);
+    forAll(eta_, celli)
+    {
+        const cutCells::layers l(cuts_.at(celli));
+        eta_[celli] = l.eta;
+        etaC_[celli] = l.etaC;
+        M_[celli] = l.M;
+    }
+    eta_.correctBoundaryConditions();
+    etaC_.correctBoundaryConditions();
+    M_.correctBoundaryConditions();
+}
+
+
 void Foam::materialFields::setProperties()
 {
     if (alphas_.empty())
@@ -266,11 +252,7 @@ void Foam::materialFields::setProperties()
     average(rho_, rho, densityAverage_);
     if (layered())
     {
-        eta_.primitiveFieldRef() = layerMean(eta);
-        etaC_.primitiveFieldRef() = layerMean(etaC);
-        eta_.correctBoundaryConditions();
-        etaC_.correctBoundaryConditions();
-        average(M_, M, averageType::HARMONIC);
+        takeCuts();
     }
     else
     {
@@ -375,6 +357,7 @@ Foam::materialFields::materialFields(const fvMesh& mesh)
         )
     ),
     alphas_(parts_.has(sceneParts::AVERAGES) ? materials_.size() : 0),
+    cuts_(materials_),
     rho_(newField("rho", materials_[0].rho())),
     eta_(newField("eta", materials_[0].law().eta())),
     etaC_(newField("etaC", materials_[0].law().etaC())),
@@ -445,12 +428,12 @@ Foam::wordList Foam::materialFields::names() const
 
 Foam::tmp<Foam::scalarField> Foam::materialFields::flowingDensity() const
 {
-    typedef const materialProperty& property;
-
-    return layerMean
-    (
-        all([](const material& m) -> property { return m.rho(); })
-    );
+    tmp<scalarField> trho(new scalarField(mesh_.nCells()));
+    forAll(trho(), celli)
+    {
+        trho.ref()[celli] = materials_[cuts_.centre(celli)].rho()[celli];
+    }
+    return trho;
 }
 
 
