@@ -91,6 +91,7 @@ def test_orders_of_coupling(tmp_path):
     assert errors["midpoint", 10] < 0.4*errors["extrapolated", 10]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("average", ["layered", "arithmetic", "harmonic"])
 def test_etaC_without_internal_length_has_no_effect(box, average):
     """R = 0 is the classical fluid, in cells of two materials too."""

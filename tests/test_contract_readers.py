@@ -197,6 +197,7 @@ REGIONS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", REGIONS)
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_case_from_anywhere(box, tmp_path, name, ranks):
@@ -247,6 +248,7 @@ def test_file_that_nothing_reads(lid, file, hint):
     assert hint in line
 
 
+@pytest.mark.slow
 def test_files_are_told_once_by_two_ranks(lid):
     """Those of the case and of the start time."""
     case = lid()
@@ -285,6 +287,7 @@ def test_what_is_read_is_not_told(box):
         assert "Files that nothing reads" not in log, log
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name, text, found", [
     ("test_x.py", "echo ran >&2; COSSERAT_RAN=yes\n", "no"),
     ("prefs.sh", "export COSSERAT_RAN=yes\n", "no"),

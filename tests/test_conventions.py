@@ -81,6 +81,7 @@ def test_dry_run_is_the_first_step(template, option):
     assert not (case.path/"postProcessing").exists()
 
 
+@pytest.mark.slow
 def test_postProcess_gives_what_the_run_gave(template):
     """Function objects on times written, and what OpenFOAM's own program says
     instead."""

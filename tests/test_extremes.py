@@ -28,6 +28,7 @@ ROWS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("parameters, iterations, solver", ROWS)
 def test_block(tmp_path, parameters, iterations, solver):
     """A heavy block with its edges through cells."""

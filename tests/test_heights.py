@@ -48,6 +48,7 @@ def heavy_block(box, target, dx=0.0, dy=0.0, scale=1.0, **parameters):
     return case
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dx, dy", OFFSETS)
 def test_flow_does_not_depend_on_the_place(box, dx, dy):
     """Velocity, p, microrotation and powers at the default tolerance, to
@@ -62,6 +63,7 @@ def test_flow_does_not_depend_on_the_place(box, dx, dy):
         max(abs(dx), abs(dy)) > 100)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scale", [1e-6, 1e-3, 1e6])
 def test_flow_does_not_depend_on_the_size(box, scale):
     """Speeds grow with the square of the size, powers a depth with its fourth
@@ -106,6 +108,7 @@ def test_points_and_tracers_move_alike(box, dx, dy, scale):
     assert np.abs(places[0][1][-1] - places[0][1][0]).max() > 0.01
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("g", [(0, -10, 0), (5, -8, 0)])
 @pytest.mark.parametrize("height", [None, 0.25, -3.0])
 def test_p_rgh_is_openfoams(box, g, height):
@@ -282,6 +285,7 @@ def test_restart_far_away_goes_on(tmp_path):
     assert case.log()[first:].split()[2] == "0"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("y", [2.0**20, -1e7])
 def test_given_pressures_of_one_density_far_away(box, y):
     """p_rgh 1 at one end and 0 at the other: no weight in it, so the flux is

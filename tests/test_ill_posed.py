@@ -83,6 +83,7 @@ def test_scene_is_named(box, name):
         assert word in text, text
 
 
+@pytest.mark.slow
 def test_what_is_in_balance_runs(box):
     """Nothing holds the body along x and no net force acts on it: the flow is
     the one without that motion."""

@@ -149,6 +149,7 @@ def test_limits_of_the_internal_length(box):
     assert np.abs(omega).max() < 1e-6*stiff.max()
 
 
+@pytest.mark.slow
 def test_scaling(box):
     """Viscosities and forces times c: the same U and omega, c times p."""
     c = 1e7
@@ -228,6 +229,7 @@ def test_half_with_symmetry_plane(box):
         assert found[16, name]/found[32, name] > 3.7
 
 
+@pytest.mark.slow
 def test_slip_is_zero_traction(box):
     """slip and a tangentialTraction of zero are the same wall."""
     fields = []

@@ -78,6 +78,7 @@ def test_one_material_needs_no_entry(box):
     assert account(case)[:4] == pytest.approx([1024, 0.1, 768, 0.075], rel=1e-6)
 
 
+@pytest.mark.slow
 def test_part_of_a_patch_is_open(box):
     """Fluid comes in by the upper half of one side and leaves by that of the
     other: so do the points, and none by the halves at rest."""

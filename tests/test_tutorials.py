@@ -168,6 +168,7 @@ def test_column_slump(tutorial):
     assert power[1] < 0.95*power[0]
 
 
+@pytest.mark.slow
 def test_dune_is_what_its_surface_holds(tutorial):
     """Points below the surface of the file are grains, point by point."""
     case = tutorial("dune", control={"endTime": 1e-6, "deltaT": 1e-6,
