@@ -93,19 +93,17 @@ static void testHalo(const fvMesh& mesh, Ostream& os)
     const planarFrame frame(mesh);
     const haloExchange halo(mesh, frame);
 
-    List<scalarField> a(7, scalarField(halo.size(), Zero));
+    scalarField s(halo.size(), Zero);
+    Field<vector2D> v(halo.size(), Zero);
+    Field<tensor2D> T(halo.size(), Zero);
     for (label celli = 0; celli < mesh.nCells(); ++celli)
     {
-        const scalar x = mesh.C()[celli].x(), y = mesh.C()[celli].y();
-        a[0][celli] = x + 10*y;
-        a[1][celli] = x;
-        a[2][celli] = y;
-        a[3][celli] = x*x;
-        a[4][celli] = x*y;
-        a[5][celli] = y*x;
-        a[6][celli] = y*y;
+        const vector2D C(frame.inPlane(mesh.C()[celli]));
+        s[celli] = C.x() + 10*C.y();
+        v[celli] = C;
+        T[celli] = C*C;
     }
-    halo.swap("svt", {&a[0], &a[1], &a[2], &a[3], &a[4], &a[5], &a[6]});
+    halo.swap(s, v, T);
 
     for (const label patchi : halo.coupledPatches())
     {
@@ -114,11 +112,10 @@ static void testHalo(const fvMesh& mesh, Ostream& os)
         {
             const point& C = mesh.C()[owners[i]];
             os  << C.x() << ' ' << C.y();
-            for (const scalarField& values : a)
-            {
-                os  << ' ' << values[halo.start(patchi) + i];
-            }
-            os  << nl;
+            const label slot = halo.start(patchi) + i;
+            os  << ' ' << s[slot] << ' ' << v[slot].x() << ' ' << v[slot].y()
+                << ' ' << T[slot].xx() << ' ' << T[slot].xy()
+                << ' ' << T[slot].yx() << ' ' << T[slot].yy() << nl;
         }
     }
 }
@@ -229,7 +226,18 @@ static void testAverage
     Ostream& os
 )
 {
-    materialPointCloud points(wordList(1, word("a")), U, phi);
+    const fvMesh& mesh = U.mesh();
+    const volScalarField omega
+    (
+        IOobject("none", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimless/dimTime, Zero)
+    );
+    materialPointCloud points
+    (
+        wordList(1, word("a")), U, phi, omega,
+        [&U]() { return fvc::grad(U); }
+    );
 
     Random random(1);
     const auto value = [](const materialPoint& p)
