@@ -8,14 +8,16 @@ import subprocess
 import numpy as np
 import pytest
 
-from cosserat.case import ROOT
+from cosserat.case import ROOT, residuals
+from cosserat.scenes.box import add_points
 from cosserat.scenes.ring import ring
 
 EXAMPLES = ROOT/"docs/examples"
 
 #: Example: the library that it belongs to
 LIBRARIES = {"viscosityLaw": "rheology", "pointVelocity": "points",
-             "wallCondition": "flow"}
+             "pointProperty": "points", "wallCondition": "flow",
+             "preconditioner": "flow"}
 
 HELD = ("type noSlip;", "type fixedValue; value uniform 0;")
 
@@ -57,23 +59,36 @@ def test_all_examples_are_tried():
 
 @pytest.mark.slow
 def test_viscosity_law(built, box):
-    """A channel of a suspension: u = rho g/(8 eta) in its middle, with
-    eta = 2 (1 + 5/2 0.08); without the example the law is unknown."""
-    case = box(n=16, cyclic=True, g=(1, 0, 0), walls={
-        "top": HELD, "bottom": HELD},
-               materials={"a": {"eta": 1, "etaC": 0, "R": 0, "rho": 1}})
-    path = case.path/"constant/materialProperties"
-    path.write_text(path.read_text().split("materials")[0] + """
-materials { a { rho 1; viscosityLaw suspension;
-    suspensionCoeffs { eta0 2; phi 0.08; } } }
+    """A channel of a shear-thinning fluid, with the shear rate
+    tau/(eta0 - lambda tau) of the shear stress tau = rho g y; on two ranks
+    too. Without the example the law is unknown."""
+    def channel(name):
+        case = box(name, n=24, cyclic=True, g=(2, 0, 0), tolerance=1e-9,
+                   walls={"top": HELD, "bottom": HELD}, materials={
+                       "a": {"eta": 1, "etaC": 0, "R": 0, "rho": 1}})
+        path = case.path/"constant/materialProperties"
+        path.write_text(path.read_text().split("materials")[0] + """
+materials { a { rho 1; viscosityLaw cross;
+    crossCoeffs { eta0 1; etaC0 0; R 0; lambda 0.5; } } }
 """)
-    done = case.run("cosseratPicFoam", check=False)
-    assert done.returncode and "suspension" in done.stdout
+        return case.override("system/fvSolution", creepingFlow=(
+            "{ nonlinear { tolerance 1e-8; } }"))
+
+    done = channel("unknown").run("cosseratPicFoam", check=False)
+    assert done.returncode and "cross" in done.stdout
     built("viscosityLaw")
-    case.run("cosseratPicFoam")
-    y = case.centres()[:, 1]
-    assert np.allclose(case.field("U")[:, 0], (0.25 - y**2)/(2*2.4),
-                       atol=5e-4)
+
+    for ranks in (1, 2):
+        case = channel(f"on{ranks}")
+        if ranks > 1:
+            case.decompose(ranks)
+        case.run("cosseratPicFoam", ranks=ranks)
+        if ranks > 1:
+            case.reconstruct()
+        y = np.abs(case.centres()[:, 1])
+        wall, exact = (-z/0.5 - np.log(1 - z)/(0.25*2) for z in (0.5, y))
+        error = case.field("U")[:, 0] - (wall - exact)
+        assert 1e-3 < np.abs(error).max()/0.386 < 4e-3
 
 
 @pytest.mark.slow
@@ -97,3 +112,42 @@ def test_wall_condition(built, box):
         case.run("cosseratPicFoam")
         fields.append(case.field("omega"))
     assert np.array_equal(*fields) and fields[0].max() > 0.1
+
+
+@pytest.mark.slow
+def test_point_property(built, box):
+    """A direction that turns with the grains: in a rotation at rate one, by
+    the time."""
+    built("pointProperty")
+    case = box(n=8, materials={"a": {"eta": 1, "etaC": 1, "R": 0.3}},
+               walls={side: ("exact", "exact")
+                      for side in ("left", "right", "bottom", "top")},
+               U=lambda x, y: (-y, x), omega=lambda x, y: 1 + 0*x)
+    add_points(case, "{ type all; material a; }", minPointsPerCell=0,
+               properties="{ axis { type grainAxis; start (1 0 0); } }")
+    case.substitute("system/controlDict", {
+        "endTime": 1, "deltaT": 0.1, "writeInterval": 10})
+    case.run("cosseratPicFoam")
+    # Those that have flowed in at the corners are younger
+    axis = case.cloud("axis")[np.hypot(*case.cloud("positions").T[:2]) < 0.49]
+    assert len(axis) > 500
+    assert np.abs(axis - [np.cos(1), np.sin(1), 0]).max() < 1e-6
+
+
+@pytest.mark.slow
+def test_preconditioner(built, box):
+    """The flow is the same with any preconditioner, in more iterations."""
+    built("preconditioner")
+    fields, iterations = [], []
+    for name in ("multigrid", "diagonal"):
+        case = box(name, n=6, walls={"top": ("type fixedValue; value uniform"
+                                             " (1 0 0);", HELD[1])},
+                   materials={"a": {"eta": 1, "etaC": 1, "R": 0.1}},
+                   tolerance=1e-10)
+        case.override("system/fvSolution", creepingFlow=(
+            f"{{ preconditioner {{ block {name}; }} }}"))
+        case.run("cosseratPicFoam")
+        fields.append(case.field("U"))
+        iterations.append(residuals(case.log())[0][3])
+    assert np.abs(fields[1] - fields[0]).max() < 1e-7
+    assert iterations[1] > 2*iterations[0]

@@ -29,4 +29,4 @@ def costs(case):
     log = case.log()
     return {
         "iterations": sum(row[3] for row in residuals(log) if row[0] == "U"),
-        "step": float(re.findall(r"done, (\S+) s a step", log)[-1])}
+        "step": float(re.findall(r"done, (\S+) s per step", log)[-1])}

@@ -33,7 +33,11 @@ Foam::nonlinearControl::nonlinearControl
 )
 :
     dict_(controls.subOrEmptyDict("nonlinear")),
-    tolerance_(dict_.getOrDefault<scalar>("tolerance", 1e-5)),
+    linear_(controls.getOrDefault<scalar>("tolerance", 1e-6)),
+    tolerance_
+    (
+        dict_.getOrDefault<scalar>("tolerance", max(1e-5, linear_))
+    ),
     maxIter_(dict_.getOrDefault<label>("maxIter", 100)),
     warn_(controls.getOrDefault<word>("notConverged", "error") == "warn"),
     n_(0),
@@ -44,13 +48,12 @@ Foam::nonlinearControl::nonlinearControl
 {
     checkedEntry::only(dict_, {"tolerance", "maxIter"});
 
-    const scalar linear = controls.getOrDefault<scalar>("tolerance", 1e-6);
-    if (!(tolerance_ >= linear && tolerance_ < 1))
+    if (!(tolerance_ >= linear_ && tolerance_ < 1))
     {
         checkedEntry::refuse
         (
             dict_, "tolerance", Foam::name(tolerance_),
-            "from the tolerance of creepingFlow, " + Foam::name(linear)
+            "from the tolerance of creepingFlow, " + Foam::name(linear_)
           + ", to below 1"
         );
     }

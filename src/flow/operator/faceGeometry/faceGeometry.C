@@ -26,6 +26,14 @@ License
 #include "unitConversion.H"
 #include "volFields.H"
 
+// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
+
+//- Skewness, offset of the face centre from the path over its length, of faces
+//- whose cells need the adjoint force (triangles have up to a third), and of
+//- cells around that take it with them
+static const Foam::scalar verySkewed = 0.1, slightlySkewed = 0.01;
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::faceGeometry::setFace
@@ -113,26 +121,73 @@ void Foam::faceGeometry::setBoundary()
 
 void Foam::faceGeometry::classify()
 {
-    scalar angle = 0, skewness = 0;
+    scalar angle = 0, largest = 0;
+    scalarField skewness(nSlots(), Zero);
     forAll(faces_, f)
     {
         const planarFace& face = faces_[f];
         const scalar off = mag(offset_[f])*face.dc;
         angle = max(angle, mag(face.k()));
-        skewness = max(skewness, off);
-
-        // Triangles have a third
-        adjoint_[face.own] = adjoint_[face.own] || off > 0.1;
-        if (face.nei < nCells_)
-        {
-            adjoint_[face.nei] = adjoint_[face.nei] || off > 0.1;
-        }
+        largest = max(largest, off);
+        skewness[face.own] = max(skewness[face.own], off);
+        skewness[face.nei] = max(skewness[face.nei], off);
     }
 
     // Beyond rounding
-    skewed_ = returnReduce(skewness, maxOp<scalar>()) > 1e-5;
+    skewed_ = returnReduce(largest, maxOp<scalar>()) > 1e-5;
     nonOrthogonal_ = skewed_ || returnReduce(angle, maxOp<scalar>()) > 1e-5;
-    anyAdjoint_ = returnReduce(skewness, maxOp<scalar>()) > 0.1;
+    anyAdjoint_ = returnReduce(largest, maxOp<scalar>()) > verySkewed;
+
+    if (anyAdjoint_)
+    {
+        setAdjoint(skewness);
+    }
+}
+
+
+void Foam::faceGeometry::setAdjoint(const scalarField& skewness)
+{
+    // From very skewed cells through all that are skewed, and one layer more
+    scalarField taken(nSlots(), Zero);
+    forAll(adjoint_, celli)
+    {
+        taken[celli] = skewness[celli] > verySkewed;
+    }
+
+    for (bool last = false, grows = true; grows || !last;)
+    {
+        last = !grows;
+        grows = false;
+        halo_.swap(taken);
+        const scalarField before(taken);
+        forTwoSided
+        (
+            [&](const label f)
+            {
+                const label P = faces_[f].own, N = faces_[f].nei;
+                for (const labelPair& way : {labelPair(P, N), labelPair(N, P)})
+                {
+                    const label celli = way.first();
+                    if
+                    (
+                        celli < nCells_ && taken[celli] < before[way.second()]
+                     && (last || skewness[celli] > slightlySkewed)
+                    )
+                    {
+                        taken[celli] = 1;
+                        grows = true;
+                    }
+                }
+            }
+        );
+        reduce(grows, orOp<bool>());
+        grows = grows && !last;
+    }
+
+    forAll(adjoint_, celli)
+    {
+        adjoint_[celli] = taken[celli] > 0;
+    }
 }
 
 

@@ -94,7 +94,7 @@ void Foam::probedMatrix::colour()
     }
     Pstream::gatherList(graphs);
 
-    List<labelList> colours(Pstream::nProcs());
+    labelList colour;
     nColours_ = 0;
     if (Pstream::master())
     {
@@ -105,7 +105,7 @@ void Foam::probedMatrix::colour()
                 graphs, accessOp<labelListList>()
             )
         );
-        labelList colour(graph.size(), -1);
+        colour = labelList(graph.size(), -1);
         forAll(graph, celli)
         {
             labelHashSet taken;
@@ -121,17 +121,10 @@ void Foam::probedMatrix::colour()
             colour[celli] = free;
             nColours_ = max(nColours_, free + 1);
         }
-        forAll(colours, proci)
-        {
-            colours[proci] = SubList<label>
-            (
-                colour, global_.localSize(proci), global_.offset(proci)
-            );
-        }
     }
-    Pstream::scatterList(colours);
+    Pstream::scatter(colour);
     Pstream::scatter(nColours_);
-    colours_ = colours[Pstream::myProcNo()];
+    colours_ = SubList<label>(colour, n, global_.toGlobal(0));
 }
 
 
