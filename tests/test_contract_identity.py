@@ -1,13 +1,14 @@
 """Points know their material, and tracers their point, by name over a restart:
 whatever becomes of the order of lists."""
 
+import re
 import shutil
 
 import numpy as np
 import pytest
 
+from cosserat.case import Case, RunError
 from cosserat.scenes.box import add_points
-from cosserat.case import RunError
 
 LIQUIDS = {"a": {"eta": 1, "etaC": 0, "R": 0, "rho": 2},
            "b": {"eta": 3, "etaC": 0, "R": 0, "rho": 1}}
@@ -112,6 +113,28 @@ def test_decomposed_and_reconstructed(scene):
     assert (kinds == 1).sum() == (before == 0).sum() > 0
 
 
+def test_redistributed(scene):
+    """So does redistributePar take points and names along, on two ranks."""
+    case, whole = scene(ranks=2), scene("whole", ranks=2)
+    path = case.path/"system/decomposeParDict"
+    path.write_text(path.read_text().replace("(2 1 1)", "(1 2 1)"))
+    case.run("redistributePar", "-latestTime", "-overwrite", ranks=2)
+    materials(case, b=(3, 1), a=(1, 2))
+    found = []
+    for each in case, whole:
+        each.run("cosseratPicFoam", ranks=2)
+        # By hand: redistributePar may leave nothing for reconstructPar
+        parts = [Case(folder) for folder in each.path.glob("processor*")]
+        places, kinds = (np.concatenate([part.cloud(name) for part in parts])
+                         for name in ("positions", "material"))
+        order = np.lexsort(places.T.round(7))
+        found.append((places[order], kinds[order].astype(int)))
+        assert "does not name" not in each.log()
+    assert np.allclose(found[0][0], found[1][0], atol=1e-8)
+    assert np.array_equal(1 - found[0][1], found[1][1])
+    assert 0 < found[1][1].sum() < found[1][1].size
+
+
 def test_dye_stays_when_patterns_change(scene):
     """A mark is the point's: patterns reordered, another one, or none."""
     case = scene()
@@ -156,11 +179,15 @@ def test_tracers_in_another_order(scene, later):
 
 
 def test_case_of_before(scene):
-    """A time that does not say the names has them in the present order."""
+    """A time that does not say the names has them in the present order, and
+    this is told."""
     case = scene()
+    assert "does not name" not in case.log()
     for file in case.path.glob("0.1/uniform/lagrangian/*/materials*"):
         file.unlink()
     case.run("cosseratPicFoam")
+    assert re.search("Time 0.1 does not name the materials of its points: taken"
+                     r" in the order of (2)?\(a b\)", case.log())
     with pytest.raises(RunError):
         materials(case, b=(3, 1))
         shutil.rmtree(case.path/"0.2")

@@ -97,6 +97,19 @@ def test_particleDistribution(run):
     assert list(case.path.glob("postProcessing/spread/**/*"))
 
 
+def test_cloudInfo(run):
+    """It is of parcels that have a diameter: an error, or not a row."""
+    case, done = run("info { type cloudInfo; libs (lagrangianFunctionObjects);"
+                     " clouds (materialPoints); writeControl writeTime; }",
+                     check=False)
+    if done.returncode:
+        assert "materialPoints" in done.stdout[done.stdout.index("FOAM FATAL"):]
+    else:
+        (file,) = case.path.glob("postProcessing/info/**/*.dat")
+        assert all(line.startswith("#")
+                   for line in file.read_text().splitlines())
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_solverInfo(run, ranks):

@@ -100,6 +100,32 @@ def test_what_openfoam_reads(lid, expected, file, pattern, replacement):
     assert power(case) == pytest.approx(expected, rel=1e-9)
 
 
+@pytest.mark.parametrize("velocity, viscosity", [
+    ("[m s^-1]", "[Pa s]"), ("[m/s]", "[kg m^-1 s^-1]")])
+def test_flux_in_units_by_name(box, velocity, viscosity):
+    """What a velocity of 1 m/s over a face of 1 m by 0.1 m brings in leaves,
+    and the pressure at the end of the plug is that of numbers alone."""
+    found = []
+    for units in (velocity, viscosity), (None, None):
+        case = box(f"named{units[0] is not None}", n=6,
+                   materials={"a": LIQUIDS["a"]}, walls={
+                       "left": ("type fixedValue; value uniform (1 0 0);",
+                                "type zeroGradient;"),
+                       "right": ("type zeroGradient;", "type zeroGradient;",
+                                 "type fixedValue; value uniform 0;"),
+                       "bottom": ("type noSlip;", "type zeroGradient;"),
+                       "top": ("type noSlip;", "type zeroGradient;")})
+        if units[0]:
+            change(case, "0/U", r"\[0 1 -1 0 0 0 0\]", units[0])
+            change(case, "constant/materialProperties", "eta 2;",
+                   f"eta {units[1]} 2;")
+        case.run("cosseratPicFoam", "-solveOnce")
+        assert case.patch_field("phi", "right", 0).sum() == pytest.approx(
+            0.1, rel=1e-9)
+        found.append(case.field("p_rgh", 0).max())
+    assert found[0] == pytest.approx(found[1], rel=1e-9) and found[0] > 1
+
+
 @pytest.mark.parametrize("file, pattern, replacement, words", [
     ("0/U", r"\[0 1 -1 0 0 0 0\];", "[m s^-2];", ["imension"]),
     ("0/U", r"\[0 1 -1 0 0 0 0\];", "[m s^-1;", ["'[' of line", "not closed"]),

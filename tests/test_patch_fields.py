@@ -232,6 +232,8 @@ REFUSED = [
     ("omega", "type inletOutlet; inletValue uniform 0; value uniform 0;"),
     ("omega", "type outletInlet; outletValue uniform 0; value uniform 0;"),
     ("omega", "type freestream; freestreamValue uniform 0;"),
+    ("omega", "type uniformInletOutlet; uniformInletValue constant 0;"
+     " value uniform 0;"),
     ("omega", "type fixedMean; meanValue constant 1; value uniform 0;"),
     ("omega", "type slip;"),
     ("p_rgh", "type inletOutlet; inletValue uniform 0; value uniform 0;"),
@@ -243,6 +245,12 @@ REFUSED = [
      " pRefPoint (0 0 0); value uniform 0;"),
     ("p_rgh", "type calculated; value uniform 0;"),
 ]
+
+
+#: Those of value and gradient: what to take instead is said
+MIXED = {"mixed", "inletOutlet", "outletInlet", "freestream",
+         "uniformInletOutlet", "freestreamVelocity", "freestreamPressure",
+         "pressureInletOutletVelocity"}
 
 
 @pytest.mark.parametrize("field, entry", REFUSED)
@@ -258,6 +266,9 @@ def test_type_is_refused_by_name(box, field, entry):
     for word in (f"Entry 'type' is {kind}", f"0/{field}.boundaryField.right",
                  "Allowed: ", "docs/patchFields.md"):
         assert word in message, message
+    if kind in MIXED:
+        assert "take zeroGradient or fixedValue" in " ".join(
+            message.split()), message
     assert "FGMRES" not in done.stdout
 
 

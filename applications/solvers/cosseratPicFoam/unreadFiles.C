@@ -142,7 +142,7 @@ namespace Foam
                 tell(os, "constant"/name, hintOf(name));
             }
         }
-        for (const word& name : {"fvOptions", "fvModels", "fvConstraints"})
+        for (const word name : {"fvOptions", "fvModels", "fvConstraints"})
         {
             if (isFile(path/"system"/name))
             {

@@ -73,6 +73,14 @@ void Foam::materialPointCloud::checkStart() const
 void Foam::materialPointCloud::renumberMaterials()
 {
     const wordList before(materialNames::read(mesh_));
+    const bool restart = nPoints() > 0;
+    if (restart && before.empty())
+    {
+        // As of programs that write a time without its folder 'uniform'
+        Info<< "Time " << mesh_.time().timeName() << " does not name the"
+            << " materials of its points: taken in the order of "
+            << flatOutput(materials_) << nl << endl;
+    }
     if (before.empty() || before == materials_)
     {
         return;

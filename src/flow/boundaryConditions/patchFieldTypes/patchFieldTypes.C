@@ -28,6 +28,15 @@ License
 
 typedef Foam::patchFieldTypes types;
 
+// Most change with the direction of the flow. Nothing carries U or omega here:
+// there is no difference between in and out to make, and one would have to be
+// solved for
+static const char* const mixed =
+    "mixed of value and gradient: take zeroGradient or fixedValue";
+
+static const char* const followsPressure =
+    "its value follows the flow: take zeroGradient, where p_rgh is given";
+
 // Rows as written; those of "any" are of each field
 static const Foam::List<types::row> written
 ({
@@ -53,20 +62,12 @@ static const Foam::List<types::row> written
     {"any", "processorCyclic", types::COUPLED, "on mesh patches of this type"},
     {"any", "empty", types::EMPTY, "on mesh patches of this type"},
     {"any", "fixedMean", types::REFUSED, "its value follows the flow"},
-    {
-        "any", "freestream", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
-    {
-        "any", "inletOutlet", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
+    {"any", "freestream", types::REFUSED, mixed},
+    {"any", "inletOutlet", types::REFUSED, mixed},
     {"any", "mappedField", types::REFUSED, "it samples the flow elsewhere"},
     {"any", "mapped", types::REFUSED, "it samples the flow elsewhere"},
-    {
-        "any", "outletInlet", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
+    {"any", "mixed", types::REFUSED, mixed},
+    {"any", "outletInlet", types::REFUSED, mixed},
     {
         "any", "outletMappedUniformInlet", types::REFUSED,
         "it samples the flow elsewhere"
@@ -76,6 +77,7 @@ static const Foam::List<types::row> written
         "what it scales is not known here"
     },
     {"any", "turbulentInlet", types::REFUSED, "its value is random"},
+    {"any", "uniformInletOutlet", types::REFUSED, mixed},
 
     {"U", "noSlip", types::VALUE, "zero"},
     {"U", "surfaceNormalFixedValue", types::VALUE, "along the normal"},
@@ -112,12 +114,13 @@ static const Foam::List<types::row> written
     },
     {
         "U", "flowRateOutletVelocity", types::REFUSED,
-        "its value follows the flow"
+        "its value follows the flow: take flowRateInletVelocity, negative"
     },
     {
         "U", "fluxCorrectedVelocity", types::REFUSED,
         "its value follows the flow"
     },
+    {"U", "freestreamVelocity", types::REFUSED, mixed},
     {"U", "mappedFlowRate", types::REFUSED, "it samples the flow elsewhere"},
     {
         "U", "mappedVelocityFlux", types::REFUSED,
@@ -127,26 +130,11 @@ static const Foam::List<types::row> written
         "U", "matchedFlowRateOutletVelocity", types::REFUSED,
         "its value follows the flow"
     },
-    {
-        "U", "pressureDirectedInletVelocity", types::REFUSED,
-        "its value follows the flow"
-    },
-    {
-        "U", "pressureInletOutletParSlipVelocity", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
-    {
-        "U", "pressureInletOutletVelocity", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
-    },
-    {
-        "U", "pressureInletUniformVelocity", types::REFUSED,
-        "its value follows the flow"
-    },
-    {
-        "U", "pressureInletVelocity", types::REFUSED,
-        "its value follows the flow"
-    },
+    {"U", "pressureDirectedInletVelocity", types::REFUSED, followsPressure},
+    {"U", "pressureInletOutletParSlipVelocity", types::REFUSED, mixed},
+    {"U", "pressureInletOutletVelocity", types::REFUSED, mixed},
+    {"U", "pressureInletUniformVelocity", types::REFUSED, followsPressure},
+    {"U", "pressureInletVelocity", types::REFUSED, followsPressure},
     {
         "U", "pressurePIDControlInletVelocity", types::REFUSED,
         "its value follows the flow"
@@ -178,9 +166,10 @@ static const Foam::List<types::row> written
         "p_rgh", "fanPressure", types::REFUSED,
         "its value follows the flow by a curve"
     },
+    {"p_rgh", "freestreamPressure", types::REFUSED, mixed},
     {
         "p_rgh", "phaseHydrostaticPressure", types::REFUSED,
-        "mixed: value or gradient by the direction of the flow"
+        "mixed of value and gradient: take prghPressure"
     },
     {
         "p_rgh", "prghTotalHydrostaticPressure", types::REFUSED,
@@ -188,7 +177,7 @@ static const Foam::List<types::row> written
     },
     {
         "p_rgh", "uniformDensityHydrostaticPressure", types::REFUSED,
-        "it gives p: prghPressure does so here"
+        "it gives p: take prghPressure"
     },
 
     {"omega", "coupleTraction", types::COUPLE, "of this project"},
