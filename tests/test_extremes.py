@@ -44,14 +44,15 @@ def test_block(tmp_path, parameters, iterations, solver):
 @pytest.mark.parametrize("coupling", [1.0, 1e3, 1e6])
 def test_one_material_takes_as_many_iterations(tmp_path, coupling):
     """The factorised matrix is that of the residual: in one material at most
-    16 iterations at any etaC/eta and R."""
-    for R in (1e-6, 1e-1, 1e4):
+    16 iterations at any etaC/eta and R, but for 32 where M is 2e14 times as
+    large as eta."""
+    for R, most in ((1e-6, 17), (1e-1, 17), (1e4, 34 if coupling > 1e5 else 17)):
         given = {**DEFAULT, "contrast": 1, "coupling": coupling, "R": R,
                  "n": 24}
         case = block(tmp_path/f"R{R}", **given, tolerance=1e-6)
         case.override("solution", creepingFlow="{ preconditioner"
                       " { block direct; } }")
-        assert measure(case, "block", given)["iterations"] <= 17
+        assert measure(case, "block", given)["iterations"] <= most
 
 
 @pytest.mark.slow

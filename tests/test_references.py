@@ -104,8 +104,8 @@ class Scene:
 
 
 #: Not to be content with: the silo, whose fill ends in a corner at the start;
-#: sinkingInclusion, template, schemes (stiff beside soft in few cells, half of
-#: it gone on twice the cells). In template and schemes the air decides, and
+#: template, schemes (stiff beside soft in few cells, half of it gone on twice
+#: the cells). In template and schemes the air decides, and
 #: 1 % is that of the air.
 SCENES = {
     "annularCouette": Scene(walls, -1.21e-3, {"R": 0.99}),
@@ -116,12 +116,12 @@ SCENES = {
     "cavity, classical": Scene(vortex, -7.25e-3, None, CLASSICAL),
     "template": Scene(weight, 1.63e-2, {"eta": 0.99}),
     "schemes": Scene(weight, 3.71e-2, {"eta": 0.99}),
-    "columnSlump": Scene(weight, -7.1e-3, {"eta_n": 1.01}),
-    "columnSlump, R 0.5": Scene(weight, -5.5e-3, {"eta_n": 1.01}, {"R": 5}),
-    "dune": Scene(weight, 5.9e-3, {"eta": 0.99}),
-    "dune, R 0.02": Scene(weight, -4.6e-3, {"eta": 1.01}, {"R": 0.2}),
-    "sinkingInclusion": Scene(disc_speed, 3.20e-2, {"eta": 0.99}),
-    "sinkingInclusion, classical": Scene(disc_speed, -6.0e-3,
+    "columnSlump": Scene(weight, -8.51e-3, {"eta_n": 1.01}),
+    "columnSlump, R 0.5": Scene(weight, -8.12e-3, {"eta_n": 1.01}, {"R": 5}),
+    "dune": Scene(weight, 1.05e-2, {"eta": 0.99}),
+    "dune, R 0.02": Scene(weight, -7.5e-4, {"eta": 1.01}, {"R": 0.2}),
+    "sinkingInclusion": Scene(disc_speed, 4.9e-3, {"eta": 0.99}),
+    "sinkingInclusion, classical": Scene(disc_speed, -1.215e-2,
                                          {"eta": 1.01}, CLASSICAL),
     "hopper": Scene(feed_pressure, -1.86e-3, {"eta": 0.99}),
     "hopper, R 0.5": Scene(feed_pressure, -8.08e-3, {"eta": 0.99}, {"R": 10}),
@@ -135,9 +135,9 @@ SCENES = {
 RATIOS = {
     "eccentricCylinders, classical": -5.3e-4,
     "cavity, classical": -2.8e-3,
-    "columnSlump, R 0.5": 1.7e-3,
-    "dune, R 0.02": -1.05e-2,
-    "sinkingInclusion, classical": -3.68e-2,
+    "columnSlump, R 0.5": 4.0e-4,
+    "dune, R 0.02": -1.12e-2,
+    "sinkingInclusion, classical": -1.69e-2,
     "hopper, R 0.5": -6.2e-3,
     "silo, classical": -2.2e-2,
 }
@@ -190,7 +190,7 @@ def test_other_internal_length(difference, name):
 @pytest.mark.slow
 @pytest.mark.parametrize("eta, fails", [(1, False), (0.99, True)])
 def test_fall_of_the_inclusion(tutorial, eta, fails):
-    """The tutorial to its end: measured 3.2 % more than the elements have; one
+    """The tutorial to its end: measured 0.8 % more than the elements have; one
     per cent of the matrix' viscosity shows."""
     case = tutorial("sinkingInclusion")
     path = case.path/FILES["materials"]
@@ -201,7 +201,7 @@ def test_fall_of_the_inclusion(tutorial, eta, fails):
     fall = 0.65 - case.centroid(1)[1]
     error = fall/REFERENCES["sinkingInclusion, fall"].value - 1
     print(error)
-    assert (abs(error) > 3.5e-2) == fails
+    assert (abs(error) > 1.2e-2) == fails
 
 
 @pytest.mark.parametrize("name, scene", [
