@@ -239,6 +239,7 @@ Foam::faceGeometry::faceGeometry
     halo_(halo),
     nCells_(mesh.nCells()),
     nInternal_(mesh.nInternalFaces()),
+    V_(mesh.V()),
     faces_(nInternal_ + halo.size() - nCells_),
     offset_(faces_.size(), Zero),
     nonOrthogonal_(false),
