@@ -117,21 +117,25 @@ def test_solverInfo(run, ranks):
     case, done = run("info { type solverInfo; libs (utilityFunctionObjects);"
                      " fields (U p_rgh omega); }", ranks)
     (file,) = case.path.glob("postProcessing/info/*/solverInfo.dat")
-    rows = [line.split() for line in file.read_text().splitlines()
-            if not line.startswith("#")]
-    assert [float(row[0]) for row in rows] == [0.1, 0.2]
+    lines = file.read_text().splitlines()
+    names = lines[1].split()[1:]
+    rows = [dict(zip(names, line.split())) for line in lines[2:]]
+    assert [float(row["Time"]) for row in rows] == [0.1, 0.2]
     told = re.findall(r"Solving for (\w+), Initial residual = (\S+), Final"
                       r" residual = (\S+), No Iterations (\d+)", done.stdout)
     for i, row in enumerate(rows):
         # After the solve of the start
         U, p, omega = told[3*(i + 1):3*(i + 2)]
-        assert row[1] == row[9] == row[14] == "FGMRES"
-        for at, (_, initial, final, n) in ((2, U), (5, U), (10, p),
-                                           (15, omega)):
-            assert float(row[at]) == pytest.approx(float(initial), rel=1e-5)
-            assert float(row[at + 1]) == pytest.approx(float(final), rel=1e-5)
-            assert row[at + 2] == n
-        assert row[8] == "true"
+        for name, (_, initial, final, n) in (("Ux", U), ("Uy", U),
+                                             ("p_rgh", p), ("omega", omega)):
+            assert float(row[f"{name}_initial"]) == pytest.approx(
+                float(initial), rel=1e-5)
+            assert float(row[f"{name}_final"]) == pytest.approx(
+                float(final), rel=1e-5)
+            assert row[f"{name}_iters"] == n
+        for name in "U", "p_rgh", "omega":
+            assert row[f"{name}_solver"] == "FGMRES"
+        assert row["U_converged"] == "true"
 
 
 def test_runTimeControl_by_residual(run):
