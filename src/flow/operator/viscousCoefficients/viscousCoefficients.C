@@ -92,12 +92,18 @@ void Foam::viscousCoefficients::swapSides()
         behind = 0;
         onCoupled
         (
-            [&](const label f, const label i) { behind[i] = sides_[f][0].*part; }
+            [&](const label f, const label i)
+            {
+                behind[i] = sides_[f][0].*part;
+            }
         );
         syncTools::swapBoundaryFaceList(mesh, behind);
         onCoupled
         (
-            [&](const label f, const label i) { sides_[f][1].*part = behind[i]; }
+            [&](const label f, const label i)
+            {
+                sides_[f][1].*part = behind[i];
+            }
         );
     }
 }
