@@ -23,12 +23,17 @@ ONE_STEP = {"endTime": 1e-8, "deltaT": 1e-8, "adjustTimeStep": "no",
             "writeControl": "timeStep", "writeInterval": 1}
 
 
-def start(path, tutorial, factors):
+def start(path, tutorial, factors, mean=None):
     """The first solve of a tutorial on its own mesh, with moduli multiplied
     by factors, in all materials."""
     case = Case.copy(TUTORIALS/tutorial, path)
     case.substitute("system/controlDict", ONE_STEP)
     materials = case.path/FILES["materials"]
+    if mean:
+        text, n = re.subn(r"(viscosityAverage\s+)\w+;", rf"\g<1>{mean};",
+                          materials.read_text())
+        assert n == 1
+        materials.write_text(text)
     for key, factor in factors.items():
         text, n = re.subn(
             rf"^(\s*{key}\s+)([-\d.e+]+);",
@@ -94,13 +99,14 @@ CLASSICAL = {"etaC": 0, "R": 0}
 @dataclass
 class Scene:
     """How a tutorial's number is measured, its difference from the reference
-    on the mesh as shipped, and factors of the moduli: one per cent that makes
-    it worse, and those of the variant."""
+    on the mesh as shipped, factors of the moduli: one per cent that makes it
+    worse, and those of the variant; and a mean other than the dictionary's."""
 
     measure: Callable
     difference: float
     worse: dict = None
     factors: dict = field(default_factory=dict)
+    mean: str = None
 
 
 #: Not to be content with: the silo, whose fill ends in a corner at the start;
@@ -116,8 +122,10 @@ SCENES = {
     "cavity, classical": Scene(vortex, -7.25e-3, None, CLASSICAL),
     "template": Scene(weight, 1.63e-2, {"eta": 0.99}),
     "schemes": Scene(weight, 3.71e-2, {"eta": 0.99}),
-    "columnSlump": Scene(weight, -8.51e-3, {"eta_n": 1.01}),
-    "columnSlump, R 0.5": Scene(weight, -8.12e-3, {"eta_n": 1.01}, {"R": 5}),
+    "columnSlump": Scene(weight, -8.51e-3, {"eta_n": 1.01}, mean="layered"),
+    "columnSlump, R 0.5": Scene(weight, -8.12e-3, {"eta_n": 1.01}, {"R": 5},
+                                mean="layered"),
+    "columnSlump, arithmetic": Scene(weight, -1.11e-2, {"eta_n": 1.01}),
     "dune": Scene(weight, 1.05e-2, {"eta": 0.99}),
     "dune, R 0.02": Scene(weight, -7.5e-4, {"eta": 1.01}, {"R": 0.2}),
     "sinkingInclusion": Scene(disc_speed, 4.9e-3, {"eta": 0.99}),
@@ -157,8 +165,9 @@ def difference_fixture(tmp_path_factory):
         scene = SCENES[name]
         factors = {**scene.factors, **(scene.worse if worse else {})}
         case = start(tmp_path_factory.mktemp("start")/"case",
-                     name.split(",")[0], factors)
-        return scene.measure(case)/REFERENCES[name].value - 1
+                     name.split(",")[0], factors, scene.mean)
+        reference = REFERENCES[name.replace(", arithmetic", "")]
+        return scene.measure(case)/reference.value - 1
     return difference
 
 

@@ -13,7 +13,9 @@ prints the quantities of a scene.
 
 import shutil
 import sys
+import tempfile
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Callable, Optional
 
 from cosserat.scenes import bodies, layered
@@ -112,8 +114,10 @@ def run(path, name, contrast, cells, mean=None, points=0, **entries):
 
 
 def main(name, contrast, cells, mean=None):
-    """The command line."""
-    found, _ = run(f"jumps-{name}", name, float(contrast), int(cells), mean)
+    """The command line; the case is run in a temporary folder."""
+    with tempfile.TemporaryDirectory() as folder:
+        found, _ = run(Path(folder)/"case", name, float(contrast), int(cells),
+                       mean)
     for quantity, result in found.pop("quantities").items():
         print(f"{quantity}: {result}")
     print(found)

@@ -533,7 +533,11 @@ Foam::creepingFlow::creepingFlow(materialFields& materials)
     (
         (printParts(), system_), preconditioner_(), motions_, controls_
     ),
-    nonlinear_(controls_, materials.followsFlow()),
+    nonlinear_
+    (
+        controls_.subOrEmptyDict("nonlinear"), solver_.tolerance(), goOn_,
+        materials.followsFlow()
+    ),
     state_(system_.newState()),
     nChanges_(0),
     nUnconverged_(0),

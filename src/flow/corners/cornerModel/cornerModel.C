@@ -134,7 +134,6 @@ Foam::cornerModel::cornerModel
     shape_(corners_.size()),
     weight_(corners_.size()),
     wallMotion_(corners_.size(), FixedList<scalar, 3>(scalar(0))),
-    shared_(corners_.size(), false),
     anyShared_(false),
     anyHolds_(false),
     rounded_(corners_.size())
@@ -144,13 +143,12 @@ Foam::cornerModel::cornerModel
         const wallCorner& corner = corners_[i];
         for (const wallCorner::cell& c : corner.cells())
         {
-            shared_[i] = shared_[i] || c.proc != corner.cells()[0].proc;
+            anyShared_ = anyShared_ || c.proc != corner.cells()[0].proc;
         }
         for (const wallCorner::wall& w : corner.walls())
         {
             anyHolds_ = anyHolds_ || w.holds;
         }
-        anyShared_ = anyShared_ || shared_[i];
         starts_[i + 1] = starts_[i] + corner.cells().size();
     }
 }

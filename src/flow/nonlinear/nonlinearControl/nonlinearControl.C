@@ -28,32 +28,32 @@ License
 
 Foam::nonlinearControl::nonlinearControl
 (
-    const dictionary& controls,
+    const dictionary& dict,
+    const scalar linearTolerance,
+    const bool warn,
     const bool needed
 )
 :
-    dict_(controls.subOrEmptyDict("nonlinear")),
-    linear_(controls.getOrDefault<scalar>("tolerance", 1e-6)),
     tolerance_
     (
-        dict_.getOrDefault<scalar>("tolerance", max(1e-5, linear_))
+        dict.getOrDefault<scalar>("tolerance", max(1e-5, linearTolerance))
     ),
-    maxIter_(dict_.getOrDefault<label>("maxIter", 100)),
-    warn_(controls.getOrDefault<word>("notConverged", "error") == "warn"),
+    maxIter_(dict.getOrDefault<label>("maxIter", 100)),
+    warn_(warn),
     n_(0),
     nSteps_(0),
     nSolves_(0),
     most_(0),
     nUnconverged_(0)
 {
-    checkedEntry::only(dict_, {"tolerance", "maxIter"});
+    checkedEntry::only(dict, {"tolerance", "maxIter"});
 
-    if (!(tolerance_ >= linear_ && tolerance_ < 1))
+    if (!(tolerance_ >= linearTolerance && tolerance_ < 1))
     {
         checkedEntry::refuse
         (
-            dict_, "tolerance", Foam::name(tolerance_),
-            "from the tolerance of creepingFlow, " + Foam::name(linear_)
+            dict, "tolerance", Foam::name(tolerance_),
+            "from the tolerance of creepingFlow, " + Foam::name(linearTolerance)
           + ", to below 1"
         );
     }
@@ -61,7 +61,7 @@ Foam::nonlinearControl::nonlinearControl
     {
         checkedEntry::refuse
         (
-            dict_, "maxIter", Foam::name(maxIter_), "one or more"
+            dict, "maxIter", Foam::name(maxIter_), "one or more"
         );
     }
 

@@ -155,19 +155,23 @@ void Foam::pressureForce::reconstruct(operatorState& s) const
 }
 
 
-void Foam::pressureForce::weight(operatorState& s) const
+void Foam::pressureForce::weight
+(
+    const scalarField& faceForce,
+    Field<vector2D>& f
+) const
 {
     for (const jumpFace& jump : K_.jumps())
     {
         const planarFace& face = mesh_[jump.f];
         const scalar change =
-            (K_[jump.f].wSoft - face.w)*s.faceForce[jump.f]/face.dc;
+            (K_[jump.f].wSoft - face.w)*faceForce[jump.f]/face.dc;
 
         for (const label celli : {face.own, face.nei})
         {
             if (celli < mesh_.nCells())
             {
-                s.f[celli] -= change*mesh_.gradientVector(celli, jump.f);
+                f[celli] -= change*mesh_.gradientVector(celli, jump.f);
             }
         }
     }
@@ -258,7 +262,7 @@ void Foam::pressureForce::calc
         addStabilisation(s);
     }
     reconstruct(s);
-    weight(s);
+    weight(s.faceForce, s.f);
 }
 
 
@@ -268,11 +272,7 @@ Foam::tmp<Foam::Field<Foam::vector2D>> Foam::pressureForce::moved
 ) const
 {
     tmp<Field<vector2D>> tmoved(new Field<vector2D>(mesh_.nCells(), Zero));
-
-    operatorState still(mesh_, false);
-    still.faceForce = s.faceForce;
-    weight(still);
-    tmoved.ref() = SubField<vector2D>(still.f, mesh_.nCells());
+    weight(s.faceForce, tmoved.ref());
 
     return tmoved;
 }

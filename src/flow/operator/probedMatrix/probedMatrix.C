@@ -176,6 +176,12 @@ Foam::probedMatrix::probedMatrix(const cosseratSystem& system)
     nColours_(0)
 {
     colour();
+
+    columns_.setSize(nColours_);
+    forAll(columns_, colour)
+    {
+        columns_[colour] = columns(colour);
+    }
 }
 
 
@@ -192,7 +198,7 @@ void Foam::probedMatrix::getEntries(sparseEntries& entries) const
 
     for (label colour = 0; colour < nColours_; ++colour)
     {
-        const labelList columns(this->columns(colour));
+        const labelList& columns = columns_[colour];
         for (label j = 0; j < nb; ++j)
         {
             x = 0;
