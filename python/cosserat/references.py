@@ -168,6 +168,9 @@ TUTORIALS = {
     # Power of the weight at the start
     "template": Reference(1132.47, "W", 0.01, _TUTORIALS),
     "columnSlump": Reference(26.8515, "W", 0.001, _TUTORIALS),
+    "columnSlump, spread": Reference(
+        0.1535, "m2", 0.0005, "finite elements on a mesh that follows the "
+        "surface: cosserat.finiteElements.slump"),
     "columnSlump, R 0.5": Reference(25.2293, "W", 0.001, _TUTORIALS),
     "dune": Reference(26.0314, "W", 0.0001, _TUTORIALS),
     "dune, R 0.02": Reference(31.524, "W", 0.002, _TUTORIALS),

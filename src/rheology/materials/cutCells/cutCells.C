@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cutCells.H"
+#include "wallFvPatch.H"
 #include "fvcAverage.H"
 #include "gaussGrad.H"
 #include "surfaceInterpolate.H"
@@ -31,6 +32,9 @@ License
 
 //- Fraction of other materials that makes a cell a cut one
 static const Foam::scalar smallestCut = 1e-9;
+
+//- Cosine of the angle between a wall's normal and that of what faces it
+static const Foam::scalar towards = 0.5;
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -114,6 +118,7 @@ void Foam::cutCells::setCut(const PtrList<volScalarField>& alphas)
     const label nCells = alphas[0].size(), nMaterials = alphas.size();
     centre_.setSize(nCells);
     row_.setSize(nCells);
+    mixed_ = boolList(nCells, false);
     fraction_.clear();
 
     DynamicList<scalarField> fractions;
@@ -225,6 +230,70 @@ void Foam::cutCells::setPlanes(const label m, const volScalarField& alpha)
             );
         }
     }
+}
+
+
+Foam::label Foam::cutCells::stiffest(const label celli) const
+{
+    const scalarField& fraction = fraction_[row_[celli]];
+    label m = -1;
+    forAll(fraction, i)
+    {
+        if
+        (
+            fraction[i] > smallestCut
+         && (m < 0 || pure(i, celli).a > pure(m, celli).a)
+        )
+        {
+            m = i;
+        }
+    }
+    return m;
+}
+
+
+void Foam::cutCells::setMixed(const fvMesh& mesh)
+{
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        if (isA<wallFvPatch>(patch))
+        {
+            const vectorField n(patch.nf());
+            forAll(n, i)
+            {
+                const label celli = patch.faceCells()[i], row = row_[celli];
+                const label m = centre_[celli];
+                if
+                (
+                    row >= 0
+                 && m == stiffest(celli)
+                 && (normal_[row][m] & n[i]) > towards
+                )
+                {
+                    mixed_[celli] = true;
+                }
+            }
+        }
+    }
+}
+
+
+Foam::cutCells::layers Foam::cutCells::mixture(const label celli) const
+{
+    const scalarField& fraction = fraction_[row_[celli]];
+    layers sum = {0, 0, 0, 0, 0, 0, -1};
+    forAll(fraction, m)
+    {
+        const layers l(pure(m, celli));
+        sum.eta += fraction[m]*l.eta;
+        sum.etaC += fraction[m]*l.etaC;
+        sum.M += fraction[m]*l.M;
+    }
+    sum.es = min(sum.etaC, sum.eta);
+    sum.a = sum.eta + sum.es;
+    sum.b = sum.eta - sum.es;
+
+    return sum;
 }
 
 
@@ -353,12 +422,18 @@ void Foam::cutCells::update(const PtrList<volScalarField>& alphas)
     {
         setPlanes(m, alphas[m]);
     }
+    setMixed(alphas[0].mesh());
     setThickness(alphas[0].mesh());
 }
 
 
 Foam::cutCells::layers Foam::cutCells::at(const label celli) const
 {
+    if (mixed_[celli])
+    {
+        return mixture(celli);
+    }
+
     const scalar k = thickness_[celli];
     const layers l(pure(centre_[celli], celli));
     return {k*l.eta, k*l.a, k*l.b, k*l.es, k*l.etaC, k*l.M, -1};

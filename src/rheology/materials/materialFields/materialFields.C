@@ -431,7 +431,9 @@ Foam::tmp<Foam::scalarField> Foam::materialFields::flowingDensity() const
     tmp<scalarField> trho(new scalarField(mesh_.nCells()));
     forAll(trho(), celli)
     {
-        trho.ref()[celli] = materials_[cuts_.centre(celli)].rho()[celli];
+        trho.ref()[celli] =
+            cuts_.mixed(celli)
+          ? rho_[celli] : materials_[cuts_.centre(celli)].rho()[celli];
     }
     return trho;
 }
