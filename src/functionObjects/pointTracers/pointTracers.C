@@ -40,6 +40,12 @@ namespace functionObjects
 }
 
 
+// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
+
+//- Position, U, omega, p and the rate of strain, and last whether found
+static const Foam::label nColumns = 10;
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::labelPair Foam::functionObjects::pointTracers::nearest
@@ -198,7 +204,7 @@ void Foam::functionObjects::pointTracers::begin()
 }
 
 
-void Foam::functionObjects::pointTracers::writeRows()
+Foam::scalarField Foam::functionObjects::pointTracers::rows() const
 {
     const materialPointCloud& cloud =
         mesh_.lookupObject<materialPointCloud>(materialPointCloud::cloudName);
@@ -212,9 +218,7 @@ void Foam::functionObjects::pointTracers::writeRows()
     const tmp<volTensorField> tgrad(flow.gradU());
     const tensorField& grad = tgrad().primitiveField();
 
-    // Position, U, omega, p and the rate of strain, and last whether found
-    const label n = 10;
-    scalarField values(n*places_.size(), Zero);
+    scalarField values(nColumns*places_.size(), Zero);
 
     for (const materialPoint& tracer : cloud)
     {
@@ -227,7 +231,7 @@ void Foam::functionObjects::pointTracers::writeRows()
                 const label celli = tracer.cell();
                 const point at(tracer.position());
                 const vector U(atU->interpolate(at, celli));
-                scalar* row = &values[n*i];
+                scalar* row = &values[nColumns*i];
 
                 for (direction d = 0; d < 3; ++d)
                 {
@@ -243,13 +247,19 @@ void Foam::functionObjects::pointTracers::writeRows()
     }
 
     reduce(values, sumOp<scalarField>());
+    return values;
+}
 
+
+void Foam::functionObjects::pointTracers::writeRows()
+{
+    const scalarField values(rows());
     const scalar now = time_.value();
     const scalar dt = now - lastTime_;
 
     forAll(identity_, i)
     {
-        const scalar* row = &values[n*i];
+        const scalar* row = &values[nColumns*i];
 
         if (identity_[i].first() < 0)
         {

@@ -353,4 +353,67 @@ void Foam::cornerModel::addDissipated
 }
 
 
+void Foam::cornerModel::setMaterials
+(
+    const scalarField& eta,
+    const scalarField& etaC,
+    const scalarField& M,
+    const scalarField& invB
+)
+{
+    // eta, etaC as it counts, 1/B of the cells of all corners
+    scalarList values(3*starts_.last(), Zero);
+    forAll(corners_, i)
+    {
+        const List<wallCorner::cell>& cells = corners_[i].cells();
+        forAll(cells, k)
+        {
+            const label celli = cells[k].local, at = 3*(starts_[i] + k);
+            if (isMine(cells[k]))
+            {
+                values[at] = eta[celli];
+                values[at + 1] =
+                    M[celli] > 0
+                  ? etaC[celli]/(1 + etaC[celli]*sqr(cells[k].r)/M[celli])
+                  : 0;
+                values[at + 2] = invB[celli];
+            }
+        }
+    }
+    sumOverAll(values);
+
+    waiting_.clear();
+    forAll(corners_, i)
+    {
+        const label n = corners_[i].cells().size();
+        sectorList sectors(n);
+        scalarField W(n);
+        bool compressible = false;
+
+        for (label k = 0; k < n; ++k)
+        {
+            const label at = 3*(starts_[i] + k);
+            sectors[k].end = corners_[i].cells()[k].end;
+            sectors[k].eta = values[at];
+            sectors[k].etaC = values[at + 1];
+            W[k] = values[at] + values[at + 1];
+            compressible = compressible || values[at + 2] > 0;
+        }
+
+        weight_[i] = (compressible ? 0.0 : 1.0)*sqrt(W);
+        rounded_[i] = sectors;
+        const word name(round(i, rounded_[i]));
+        const auto iter = known_.cfind(name);
+        if (iter.found())
+        {
+            shape_[i] = iter();
+        }
+        else
+        {
+            waiting_.append(i);
+        }
+    }
+}
+
+
 // ************************************************************************* //

@@ -43,10 +43,6 @@ static const Foam::scalar smallestShare = 0.02;
 //- Internal lengths over the size of a corner that keep all from rotating
 static const Foam::scalar manyLengths = 1e4;
 
-//- Steps towards F, share of each, and the last one over F
-static const Foam::label nSteps = 200;
-static const Foam::scalar shareOfStep = 0.7, lastStep = 1e-9;
-
 //- Shapes that are kept
 static const Foam::label nKept = 5000;
 
@@ -125,7 +121,8 @@ void Foam::cornerModel::prepare(job& j) const
 
     // Orthonormal in the cells around, by Gram and Schmidt
     label nModes = 0;
-    j.s.setSize(2*cells.size(), j.flow->size());
+    scalarRectangularMatrix& values = j.defect.s;
+    values.setSize(2*cells.size(), j.flow->size());
     j.shares.setSize(j.flow->size());
 
     auto product = [&](const label a, const label b)
@@ -134,7 +131,7 @@ void Foam::cornerModel::prepare(job& j) const
         for (label i = 0; i < 2*cells.size(); ++i)
         {
             const cornerFlow::sector& s = j.sectors[i/2];
-            sum += (s.eta + s.etaC)*j.s(i, a)*j.s(i, b);
+            sum += (s.eta + s.etaC)*values(i, a)*values(i, b);
         }
         return sum;
     };
@@ -145,8 +142,8 @@ void Foam::cornerModel::prepare(job& j) const
             vector2D u;
             scalar p;
             sample(j, modei, cells[k].r, cells[k].theta, u, p);
-            j.s(2*k, modei) = u.x();
-            j.s(2*k + 1, modei) = u.y();
+            values(2*k, modei) = u.x();
+            values(2*k + 1, modei) = u.y();
         }
         return product(modei, modei);
     };
@@ -178,11 +175,7 @@ void Foam::cornerModel::prepare(job& j) const
     }
     j.shares.setSize(nModes);
 
-    const label nUnknowns = 3*cells.size();
-    j.sAs = scalarRectangularMatrix(nModes, nModes, Zero);
-    j.As = scalarRectangularMatrix(nUnknowns, nModes, Zero);
-    j.A = scalarRectangularMatrix(nUnknowns, nUnknowns, Zero);
-    j.sA = scalarRectangularMatrix(nModes, nUnknowns, Zero);
+    j.defect.reset(j.sectors, nModes);
 
     findCells(j);
 }
@@ -268,78 +261,110 @@ bool Foam::cornerModel::hasOtherWall
 }
 
 
-void Foam::cornerModel::measure(const discreteOperator& residual)
+void Foam::cornerModel::setMode
+(
+    const job& j,
+    const label modei,
+    scalarField& x
+) const
 {
     const label n = mesh_.nCells();
+    forAll(j.cells, i)
+    {
+        vector2D u;
+        scalar p;
+        sample(j, modei, j.r[i], j.theta[i], u, p);
+        x[j.cells[i]] = u.x();
+        x[n + j.cells[i]] = u.y();
+        x[2*n + j.cells[i]] = p;
+    }
+}
+
+
+void Foam::cornerModel::setUnit
+(
+    const job& j,
+    const label unknown,
+    scalarField& x
+) const
+{
+    const wallCorner& corner = corners_[j.corner];
+    const wallCorner::cell& c = corner.cells()[unknown/3];
+    if (isMine(c))
+    {
+        const label cmpt = unknown % 3;
+        x[cmpt*mesh_.nCells() + c.local] = cmpt < 2 ? 1 : 1/corner.size();
+    }
+}
+
+
+void Foam::cornerModel::add
+(
+    const job& j,
+    const scalarField& r,
+    const label column,
+    scalarRectangularMatrix& sums,
+    scalarRectangularMatrix& rows
+) const
+{
+    const wallCorner& corner = corners_[j.corner];
+    const label n = mesh_.nCells();
+
+    forAll(j.cells, i)
+    {
+        if (j.counts[i])
+        {
+            const label celli = j.cells[i];
+            for (label a = 0; a < sums.m(); ++a)
+            {
+                vector2D u;
+                scalar p;
+                sample(j, a, j.r[i], j.theta[i], u, p);
+                sums(a, column) +=
+                    u.x()*r[celli] + u.y()*r[n + celli] - p*r[2*n + celli];
+            }
+        }
+    }
+    forAll(corner.cells(), k)
+    {
+        const wallCorner::cell& c = corner.cells()[k];
+        if (isMine(c))
+        {
+            rows(3*k, column) = r[c.local];
+            rows(3*k + 1, column) = r[n + c.local];
+            rows(3*k + 2, column) = -r[2*n + c.local]/corner.size();
+        }
+    }
+}
+
+
+void Foam::cornerModel::measure(const discreteOperator& residual)
+{
     label nUnknowns = 0, nModes = 0;
     for (const job& j : jobs_)
     {
-        nUnknowns = max(nUnknowns, j.A.m());
-        nModes = max(nModes, j.sAs.m());
+        nUnknowns = max(nUnknowns, j.defect.nUnknowns());
+        nModes = max(nModes, j.defect.nModes());
     }
 
-    scalarField x(4*n), r;
-
-    // Add s_a.r to row a of a matrix, and, given one, the residual itself
-    auto add = [&]
-    (
-        job& j, const label column,
-        scalarRectangularMatrix& sums, scalarRectangularMatrix& rows
-    )
-    {
-        const wallCorner& corner = corners_[j.corner];
-        forAll(j.cells, i)
-        {
-            if (j.counts[i])
-            {
-                const label celli = j.cells[i];
-                for (label a = 0; a < sums.m(); ++a)
-                {
-                    vector2D u;
-                    scalar p;
-                    sample(j, a, j.r[i], j.theta[i], u, p);
-                    sums(a, column) +=
-                        u.x()*r[celli] + u.y()*r[n + celli]
-                      - p*r[2*n + celli];
-                }
-            }
-        }
-        forAll(corner.cells(), k)
-        {
-            const wallCorner::cell& c = corner.cells()[k];
-            if (isMine(c))
-            {
-                rows(3*k, column) = r[c.local];
-                rows(3*k + 1, column) = r[n + c.local];
-                rows(3*k + 2, column) = -r[2*n + c.local]/corner.size();
-            }
-        }
-    };
+    scalarField x(4*mesh_.nCells()), r;
 
     for (label modei = 0; modei < nModes; ++modei)
     {
         x = 0;
         for (const job& j : jobs_)
         {
-            if (modei < j.sAs.m())
+            if (modei < j.defect.nModes())
             {
-                forAll(j.cells, i)
-                {
-                    vector2D u;
-                    scalar p;
-                    sample(j, modei, j.r[i], j.theta[i], u, p);
-                    x[j.cells[i]] = u.x();
-                    x[n + j.cells[i]] = u.y();
-                    x[2*n + j.cells[i]] = p;
-                }
+                setMode(j, modei, x);
             }
         }
         residual(x, r);
         for (job& j : jobs_)
         {
-            if (modei < j.sAs.m())
+            if (modei < j.defect.nModes())
             {
-                add(j, modei, j.sAs, j.As);
+                add(j, r, modei, j.defect.sAs, j.defect.As);
             }
         }
     }
@@ -349,27 +374,24 @@ void Foam::cornerModel::measure(const discreteOperator& residual)
         x = 0;
         for (const job& j : jobs_)
         {
-            const wallCorner& corner = corners_[j.corner];
-            if (unknown < j.A.m() && isMine(corner.cells()[unknown/3]))
+            if (unknown < j.defect.nUnknowns())
             {
-                const label cmpt = unknown % 3;
-                x[cmpt*n + corner.cells()[unknown/3].local] =
-                    cmpt < 2 ? 1 : 1/corner.size();
+                setUnit(j, unknown, x);
             }
         }
         residual(x, r);
         for (job& j : jobs_)
         {
-            if (unknown < j.A.m())
+            if (unknown < j.defect.nUnknowns())
             {
-                add(j, unknown, j.sA, j.A);
+                add(j, r, unknown, j.defect.sA, j.defect.A);
             }
         }
     }
 
     for (job& j : jobs_)
     {
-        for (scalarRectangularMatrix* M : {&j.sAs, &j.As, &j.A, &j.sA})
+        for (scalarRectangularMatrix* M : j.defect.sums())
         {
             scalarList values(M->size());
             std::copy(M->begin(), M->end(), values.begin());
@@ -380,226 +402,7 @@ void Foam::cornerModel::measure(const discreteOperator& residual)
 }
 
 
-Foam::scalarSquareMatrix Foam::cornerModel::solve(const job& j)
-{
-    const label nModes = j.sAs.m(), nUnknowns = j.A.m();
-
-    // W s, by unknown
-    scalarRectangularMatrix Ws(nUnknowns, nModes, Zero);
-    for (label i = 0; i < j.s.m(); ++i)
-    {
-        const cornerFlow::sector& s = j.sectors[i/2];
-        for (label a = 0; a < nModes; ++a)
-        {
-            Ws(3*(i/2) + i % 2, a) = (s.eta + s.etaC)*j.s(i, a);
-        }
-    }
-
-    scalarSquareMatrix F(nModes, Zero);
-    for (label a = 0; a < nModes; ++a)
-    {
-        for (label b = 0; b < nModes; ++b)
-        {
-            F(a, b) = 0.5*(j.sAs(a, b) + j.sAs(b, a));
-        }
-    }
-
-    // Without end it would be the defect of s itself, where it begins
-    const scalarSquareMatrix first(F);
-
-    for (label step = 0; step < nSteps; ++step)
-    {
-        // Rows of K by solution; K s = W s F since s' W s = 1
-        scalarRectangularMatrix sK(nModes, nUnknowns, Zero);
-        scalarSquareMatrix AK(nUnknowns, Zero);
-        for (label i = 0; i < nUnknowns; ++i)
-        {
-            for (label a = 0; a < nModes; ++a)
-            {
-                for (label b = 0; b < nModes; ++b)
-                {
-                    sK(a, i) += F(a, b)*Ws(i, b);
-                }
-            }
-        }
-        for (label i = 0; i < nUnknowns; ++i)
-        {
-            for (label k = 0; k < nUnknowns; ++k)
-            {
-                AK(i, k) = j.A(i, k);
-                for (label a = 0; a < nModes; ++a)
-                {
-                    AK(i, k) -= Ws(i, a)*sK(a, k);
-                }
-            }
-        }
-
-        scalar change = 0, size = 0;
-        scalarSquareMatrix left(nModes, Zero);
-        for (label b = 0; b < nModes; ++b)
-        {
-            // What the cells around change of s
-            scalarSquareMatrix M(AK);
-            scalarList y(nUnknowns);
-            for (label i = 0; i < nUnknowns; ++i)
-            {
-                y[i] = sK(b, i) - j.As(i, b);
-            }
-            LUsolve(M, y);
-
-            for (label a = 0; a < nModes; ++a)
-            {
-                left(a, b) = j.sAs(a, b) - F(a, b);
-                for (label i = 0; i < nUnknowns; ++i)
-                {
-                    left(a, b) += (j.sA(a, i) - sK(a, i))*y[i];
-                }
-            }
-        }
-        for (label a = 0; a < nModes; ++a)
-        {
-            for (label b = 0; b <= a; ++b)
-            {
-                const scalar d = 0.5*shareOfStep*(left(a, b) + left(b, a));
-                F(a, b) += d;
-                F(b, a) = F(a, b);
-                change = max(change, mag(d));
-                size = max(size, mag(F(a, b)));
-            }
-        }
-        if (change <= lastStep*size)
-        {
-            return F;
-        }
-    }
-
-    return first;
-}
-
-
-void Foam::cornerModel::keepPositive(scalarSquareMatrix& F)
-{
-    if (F.m() == 1)
-    {
-        F(0, 0) = max(F(0, 0), scalar(0));
-    }
-    else if (F.m() == 2)
-    {
-        const scalar mean = 0.5*(F(0, 0) + F(1, 1));
-        const scalar half = 0.5*(F(0, 0) - F(1, 1));
-        const scalar radius = Foam::hypot(half, F(0, 1));
-        const scalar low = mean - radius, high = mean + radius;
-
-        if (high <= 0)
-        {
-            F = Zero;
-        }
-        else if (low < 0)
-        {
-            // high times the projection on its direction
-            const scalar f = high/(2*radius);
-            F(0, 0) = f*(radius + half);
-            F(1, 1) = f*(radius - half);
-            F(0, 1) *= f;
-            F(1, 0) *= f;
-        }
-    }
-}
-
-
-Foam::scalarSquareMatrix Foam::cornerModel::shape
-(
-    const job& j,
-    const scalarSquareMatrix& F
-) const
-{
-    const label n = j.s.m();
-    scalarSquareMatrix K(n, Zero);
-
-    for (label i = 0; i < n; ++i)
-    {
-        const cornerFlow::sector& si = j.sectors[i/2];
-        for (label k = 0; k < n; ++k)
-        {
-            const cornerFlow::sector& sk = j.sectors[k/2];
-            const scalar W = Foam::sqrt((si.eta + si.etaC)*(sk.eta + sk.etaC));
-            for (label a = 0; a < F.m(); ++a)
-            {
-                for (label b = 0; b < F.m(); ++b)
-                {
-                    K(i, k) += W*j.s(i, a)*F(a, b)*j.s(k, b);
-                }
-            }
-        }
-    }
-    return K;
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::cornerModel::setMaterials
-(
-    const scalarField& eta,
-    const scalarField& etaC,
-    const scalarField& M,
-    const scalarField& invB
-)
-{
-    // eta, etaC as it counts, 1/B of the cells of all corners
-    scalarList values(3*starts_.last(), Zero);
-    forAll(corners_, i)
-    {
-        const List<wallCorner::cell>& cells = corners_[i].cells();
-        forAll(cells, k)
-        {
-            const label celli = cells[k].local, at = 3*(starts_[i] + k);
-            if (isMine(cells[k]))
-            {
-                values[at] = eta[celli];
-                values[at + 1] =
-                    M[celli] > 0
-                  ? etaC[celli]/(1 + etaC[celli]*sqr(cells[k].r)/M[celli])
-                  : 0;
-                values[at + 2] = invB[celli];
-            }
-        }
-    }
-    sumOverAll(values);
-
-    waiting_.clear();
-    forAll(corners_, i)
-    {
-        const label n = corners_[i].cells().size();
-        sectorList sectors(n);
-        scalarField W(n);
-        bool compressible = false;
-
-        for (label k = 0; k < n; ++k)
-        {
-            const label at = 3*(starts_[i] + k);
-            sectors[k].end = corners_[i].cells()[k].end;
-            sectors[k].eta = values[at];
-            sectors[k].etaC = values[at + 1];
-            W[k] = values[at] + values[at + 1];
-            compressible = compressible || values[at + 2] > 0;
-        }
-
-        weight_[i] = (compressible ? 0.0 : 1.0)*sqrt(W);
-        rounded_[i] = sectors;
-        const word name(round(i, rounded_[i]));
-        const auto iter = known_.cfind(name);
-        if (iter.found())
-        {
-            shape_[i] = iter();
-        }
-        else
-        {
-            waiting_.append(i);
-        }
-    }
-}
-
 
 bool Foam::cornerModel::takeJobs
 (
@@ -667,9 +470,7 @@ void Foam::cornerModel::doJobs(const discreteOperator& residual)
     }
     for (const job& j : jobs_)
     {
-        scalarSquareMatrix F(solve(j));
-        keepPositive(F);
-        shape_[j.corner] = shape(j, F);
+        shape_[j.corner] = j.defect.shape();
         sectorList sectors(j.sectors);
         known_.insert(round(j.corner, sectors), shape_[j.corner]);
     }

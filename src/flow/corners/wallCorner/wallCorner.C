@@ -160,10 +160,58 @@ namespace Foam
         return walls;
     }
 
-    //- Cells of this processor at each vertex, as the numbers of a cell:
-    //- vertex, processor, label, label in the whole mesh, centre from the
-    //- vertex, and the ways along its two sides there
-    static scalarList cellsAt
+    //- Corners between two walls that meet, sorted; atEnd: numbers of the ends
+    //- of walls at each place
+    static List<wallCorner> between
+    (
+        const UList<wallFace>& walls,
+        const labelListList& atEnd,
+        const scalar tolerance
+    )
+    {
+        DynamicList<wallCorner> corners;
+        for (const labelList& pair : atEnd)
+        {
+            if (pair.size() == 2)
+            {
+                wallCorner::wall w[2];
+                for (label side = 0; side < 2; ++side)
+                {
+                    const wallFace& face = walls[pair[side]/2];
+                    const label end = pair[side] % 2;
+                    w[side] = face.wall;
+                    w[side].middle = 0.5*(face.ends[1 - end] - face.ends[end]);
+                }
+                const wallFace& face = walls[pair[0]/2];
+                const wallCorner corner
+                (
+                    face.ends[pair[0] % 2], w[0], w[1], face.normal
+                );
+                const scalar smallest =
+                    w[0].holds != w[1].holds
+                  ? smallestMixedAngle : smallestAngle;
+                if (corner.angle() > smallest)
+                {
+                    corners.append(corner);
+                }
+            }
+        }
+
+        std::sort
+        (
+            corners.begin(), corners.end(),
+            [&](const wallCorner& a, const wallCorner& b)
+            {
+                const vector2D d(a.vertex() - b.vertex());
+                return mag(d.x()) > tolerance ? d.x() < 0 : d.y() < 0;
+            }
+        );
+
+        return List<wallCorner>(corners);
+    }
+
+    //- Cells of this processor at each vertex
+    static List<DynamicList<label>> vertexCells
     (
         const fvMesh& mesh,
         const planarFrame& frame,
@@ -172,9 +220,6 @@ namespace Foam
     )
     {
         const pointField& points = mesh.points();
-        const globalIndex global(mesh.nCells());
-        const pointField& C = mesh.cellCentres();
-        DynamicList<scalar> mine;
 
         // Corners are sorted by their first coordinate
         auto before = [&](const wallCorner& c, const scalar x)
@@ -211,6 +256,28 @@ namespace Foam
                 }
             }
         }
+        return cells;
+    }
+
+    //- The same, as the numbers of a cell: vertex, processor, label, label in
+    //- the whole mesh, centre from the vertex, and the ways along its two
+    //- sides there
+    static scalarList cellsAt
+    (
+        const fvMesh& mesh,
+        const planarFrame& frame,
+        const List<wallCorner>& corners,
+        const scalar tolerance
+    )
+    {
+        const List<DynamicList<label>> cells
+        (
+            vertexCells(mesh, frame, corners, tolerance)
+        );
+        const pointField& points = mesh.points();
+        const globalIndex global(mesh.nCells());
+        const pointField& C = mesh.cellCentres();
+        DynamicList<scalar> mine;
 
         forAll(corners, i)
         {
@@ -379,40 +446,9 @@ Foam::List<Foam::wallCorner> Foam::wallCorner::find
         atEnd[unique[i]].append(i);
     }
 
-    DynamicList<wallCorner> corners;
-    for (const labelList& pair : atEnd)
-    {
-        if (pair.size() == 2)
-        {
-            wall w[2];
-            for (label side = 0; side < 2; ++side)
-            {
-                const wallFace& face = walls[pair[side]/2];
-                const label end = pair[side] % 2;
-                w[side] = face.wall;
-                w[side].middle = 0.5*(face.ends[1 - end] - face.ends[end]);
-            }
-            const wallFace& face = walls[pair[0]/2];
-            const wallCorner corner
-            (
-                face.ends[pair[0] % 2], w[0], w[1], face.normal
-            );
-            const bool mixed = w[0].holds != w[1].holds;
-            if (corner.angle() > (mixed ? smallestMixedAngle : smallestAngle))
-            {
-                corners.append(corner);
-            }
-        }
-    }
-
-    std::sort
+    const List<wallCorner> corners
     (
-        corners.begin(), corners.end(),
-        [&](const wallCorner& a, const wallCorner& b)
-        {
-            const vector2D d(a.vertex_ - b.vertex_);
-            return mag(d.x()) > tolerance ? d.x() < 0 : d.y() < 0;
-        }
+        between(walls, atEnd, tolerance)
     );
 
     List<DynamicList<scalarList>> cells(corners.size());
@@ -420,7 +456,7 @@ Foam::List<Foam::wallCorner> Foam::wallCorner::find
     (
         gathered
         (
-            cellsAt(mesh, frame, List<wallCorner>(corners), tolerance)
+            cellsAt(mesh, frame, corners, tolerance)
         )
     );
     for (const scalarList& mine : all)
@@ -437,9 +473,10 @@ Foam::List<Foam::wallCorner> Foam::wallCorner::find
     DynamicList<wallCorner> filled;
     forAll(corners, i)
     {
-        if (corners[i].setCells(List<scalarList>(cells[i])))
+        wallCorner corner(corners[i]);
+        if (corner.setCells(List<scalarList>(cells[i])))
         {
-            filled.append(corners[i]);
+            filled.append(corner);
         }
     }
     return List<wallCorner>(filled);

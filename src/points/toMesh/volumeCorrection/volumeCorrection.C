@@ -24,36 +24,15 @@ License
 #include "volumeCorrection.H"
 #include "materialPointCloud.H"
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::volumeCorrection::volumeCorrection(const dictionary& dict)
-:
-    active_(dict.getOrDefault<Switch>("volumeCorrection", true))
-{}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::volumeCorrection::apply
+Foam::labelList Foam::volumeCorrection::mixedCells
 (
-    const materialPointCloud& cloud,
-    PtrList<volScalarField>& fractions
-) const
+    const PtrList<volScalarField>& fractions
+)
 {
-    const label n = fractions.size();
-    if (!active_)
-    {
-        return;
-    }
-
-    const scalarField& V = fractions[0].mesh().V();
-
-    scalarField wanted(cloud.census().volume());
-    wanted *= gSum(V)/sum(wanted);
-
-    // Cells of more than one material
     DynamicList<label> mixed;
-    forAll(V, celli)
+    forAll(fractions[0], celli)
     {
         scalar largest = 0;
         for (const volScalarField& alpha : fractions)
@@ -65,23 +44,22 @@ void Foam::volumeCorrection::apply
             mixed.append(celli);
         }
     }
+    return labelList(mixed);
+}
 
-    // Volumes to be had in the mixed cells
-    for (label m = 0; m < n; ++m)
-    {
-        scalar pure = gSum(V*fractions[m].primitiveField());
-        scalar inMixed = 0;
-        for (const label celli : mixed)
-        {
-            inMixed += V[celli]*fractions[m][celli];
-        }
-        wanted[m] -= pure - returnReduce(inMixed, sumOp<scalar>());
-    }
 
-    // Logarithms of the factors
-    scalarField w(n, Zero);
+Foam::scalarField Foam::volumeCorrection::logFactors
+(
+    const PtrList<volScalarField>& fractions,
+    const labelUList& mixed,
+    const scalarField& wanted
+)
+{
+    const scalarField& V = fractions[0].mesh().V();
+    const label n = fractions.size();
     const scalar limit = Foam::log(2.0);
     const label maxIter = 20;
+    scalarField w(n, Zero);
 
     for (label iter = 0; iter < maxIter; ++iter)
     {
@@ -122,7 +100,52 @@ void Foam::volumeCorrection::apply
             break;
         }
     }
+    return w;
+}
 
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::volumeCorrection::volumeCorrection(const dictionary& dict)
+:
+    active_(dict.getOrDefault<Switch>("volumeCorrection", true))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::volumeCorrection::apply
+(
+    const materialPointCloud& cloud,
+    PtrList<volScalarField>& fractions
+) const
+{
+    const label n = fractions.size();
+    if (!active_)
+    {
+        return;
+    }
+
+    const scalarField& V = fractions[0].mesh().V();
+
+    scalarField wanted(cloud.census().volume());
+    wanted *= gSum(V)/sum(wanted);
+
+    const labelList mixed(mixedCells(fractions));
+
+    // Volumes to be had in the mixed cells
+    for (label m = 0; m < n; ++m)
+    {
+        scalar pure = gSum(V*fractions[m].primitiveField());
+        scalar inMixed = 0;
+        for (const label celli : mixed)
+        {
+            inMixed += V[celli]*fractions[m][celli];
+        }
+        wanted[m] -= pure - returnReduce(inMixed, sumOp<scalar>());
+    }
+
+    const scalarField w(logFactors(fractions, mixed, wanted));
     for (const label celli : mixed)
     {
         scalar sum = 0;
