@@ -189,6 +189,24 @@ Foam::pointSeeding::pointSeeding
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::labelList Foam::pointSeeding::materials
+(
+    const UList<point>& corners
+) const
+{
+    DynamicList<label> found;
+    for (const point& p : places(corners))
+    {
+        const label m = regionMaterial_[region(p)];
+        if (!found.found(m))
+        {
+            found.append(m);
+        }
+    }
+    return labelList(std::move(found));
+}
+
+
 void Foam::pointSeeding::seed(materialPointCloud& cloud) const
 {
     const planarCells cells(mesh_);
