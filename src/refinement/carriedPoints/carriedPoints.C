@@ -23,27 +23,177 @@ License
 
 #include "carriedPoints.H"
 #include "materialPointCloud.H"
+#include "mathematicalConstants.H"
 #include "openfoamVersion.H"
 #include "OSspecific.H"
 #include "passiveParticleCloud.H"
 #include "planarCells.H"
 
+// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
+
+//- Points of a part of a cell below which those of the cell are split
+static const Foam::label fewest = 4;
+
+//- Halvings of the way to a new point that would be outside of the cell
+static const Foam::label largestShrink = 20;
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::labelListList Foam::carriedPoints::parts(const mapPolyMesh& map) const
+Foam::label Foam::carriedPoints::partAt
+(
+    const planarCells& cells,
+    const labelUList& parts,
+    const point& p
+) const
 {
-    List<DynamicList<label>> parts(map.nOldCells());
-    forAll(map.cellMap(), celli)
+    const labelPair axes(planarCells::axes(mesh_));
+    for (const label celli : parts)
     {
-        parts[map.cellMap()[celli]].append(celli);
+        if (planarCells::contains(axes, cells.corners(celli), p))
+        {
+            return celli;
+        }
+    }
+    return -1;
+}
+
+
+Foam::label Foam::carriedPoints::nearestPart
+(
+    const labelUList& parts,
+    const point& p
+) const
+{
+    label nearest = parts[0];
+    for (const label celli : parts)
+    {
+        if
+        (
+            magSqr(mesh_.cellCentres()[celli] - p)
+          < magSqr(mesh_.cellCentres()[nearest] - p)
+        )
+        {
+            nearest = celli;
+        }
+    }
+    return nearest;
+}
+
+
+void Foam::carriedPoints::split
+(
+    const planarCells& cells,
+    const labelUList& parts,
+    const label pointi,
+    const label n
+)
+{
+    const carried whole(points_[pointi]);
+    const labelPair axes(planarCells::axes(mesh_));
+    const direction normal = 3 - axes.first() - axes.second();
+    const scalar size = Foam::sqrt
+    (
+        volume_[whole.from]*whole.share/mesh_.bounds().span()[normal]
+    );
+
+    for (label i = 0; i < n; ++i)
+    {
+        carried part(whole);
+        part.share /= n;
+        part.added = whole.added || i > 0;
+
+        const scalar angle = constant::mathematical::twoPi*(i + 0.5)/n;
+        vector way(Zero);
+        way[axes.first()] = Foam::cos(angle)*size*Foam::sqrt(2.0)/4;
+        way[axes.second()] = Foam::sin(angle)*size*Foam::sqrt(2.0)/4;
+
+        label celli = -1;
+        for (label k = 0; k < largestShrink && celli < 0; ++k)
+        {
+            part.place = whole.place + way;
+            celli = partAt(cells, parts, part.place);
+            way *= 0.5;
+        }
+        if (celli >= 0)
+        {
+            part.cell = celli;
+        }
+        else
+        {
+            part.place = whole.place;
+        }
+
+        if (i == 0)
+        {
+            points_[pointi] = part;
+        }
+        else
+        {
+            points_.append(part);
+        }
+    }
+}
+
+
+void Foam::carriedPoints::shareOut
+(
+    const planarCells& cells,
+    const labelUList& parts,
+    const labelUList& ofCell
+)
+{
+    for (const label pointi : ofCell)
+    {
+        carried& p = points_[pointi];
+        const label at = partAt(cells, parts, p.place);
+        p.cell = at >= 0 ? at : nearestPart(parts, p.place);
     }
 
-    labelListList lists(parts.size());
-    forAll(parts, i)
+    const label first = points_.size();
+    if (ofCell.size() < fewest*parts.size())
     {
-        lists[i].transfer(parts[i]);
+        for (const label pointi : ofCell)
+        {
+            split(cells, parts, pointi, parts.size());
+        }
     }
-    return lists;
+
+    DynamicList<label> all(ofCell);
+    for (label pointi = first; pointi < points_.size(); ++pointi)
+    {
+        all.append(pointi);
+    }
+    for (const label celli : parts)
+    {
+        const point& centre = mesh_.cellCentres()[celli];
+        label nearest = -1;
+        bool empty = true;
+        for (const label pointi : all)
+        {
+            const carried& p = points_[pointi];
+            empty = empty && p.cell != celli;
+            if
+            (
+                nearest < 0
+             || magSqr(p.place - centre)
+              < magSqr(points_[nearest].place - centre)
+            )
+            {
+                nearest = pointi;
+            }
+        }
+        if (empty && nearest >= 0)
+        {
+            points_[nearest].share *= 0.5;
+            carried half(points_[nearest]);
+            half.place = centre;
+            half.cell = celli;
+            half.added = true;
+            all.append(points_.size());
+            points_.append(half);
+        }
+    }
 }
 
 
@@ -55,31 +205,33 @@ Foam::carriedPoints::carriedPoints(const fvMesh& mesh)
     time_(mesh.time().timeName())
 {
     const word& name = materialPointCloud::cloudName;
-    const IOobject io(cloud::prefix/name, time_, mesh);
-    if (!isDir(io.objectPath()))
+    if (!isDir(mesh.time().timePath()/cloud::prefix/name))
     {
         return;
     }
 
     const passiveParticleCloud cloud(mesh, name);
-    const label n = cloud.size();
-    places_.setSize(n);
-    cells_.setSize(n);
-    origProc_.setSize(n);
-    origId_.setSize(n);
+    points_.setCapacity(cloud.size());
+    DynamicList<label> origProc(cloud.size()), origId(cloud.size());
 
-    label i = 0;
     for (const passiveParticle& p : cloud)
     {
-        places_[i] = p.position();
-        cells_[i] = p.cell();
-        origProc_[i] = p.origProc();
-        origId_[i] = p.origId();
-        ++i;
+        points_.append
+        (
+            carried{p.position(), p.cell(), points_.size(), 1, false}
+        );
+        origProc.append(p.origProc());
+        origId.append(p.origId());
     }
+    origProc_.transfer(origProc);
+    origId_.transfer(origId);
     material_ = IOField<label>
     (
         cloudFieldIO(cloud, "material", IOobject::MUST_READ)
+    );
+    volume_ = IOField<scalar>
+    (
+        cloudFieldIO(cloud, "volume", IOobject::MUST_READ)
     );
 }
 
@@ -93,58 +245,31 @@ void Foam::carriedPoints::update(const mapPolyMesh& map)
         return;
     }
 
-    const labelListList parts(this->parts(map));
-    const planarCells cells(mesh_);
-    const labelPair axes(planarCells::axes(mesh_));
-
-    forAll(places_, i)
+    List<DynamicList<label>> parts(map.nOldCells()), ofCell(map.nOldCells());
+    forAll(map.cellMap(), celli)
     {
-        const labelList& among = parts[cells_[i]];
-        scalar nearest = GREAT;
-        for (const label celli : among)
+        parts[map.cellMap()[celli]].append(celli);
+    }
+    forAll(points_, pointi)
+    {
+        ofCell[points_[pointi].cell].append(pointi);
+    }
+
+    const planarCells cells(mesh_);
+    forAll(parts, i)
+    {
+        if (parts[i].size() > 1)
         {
-            // On the line between two the nearer centre decides
-            const scalar d =
-                planarCells::contains(axes, cells.corners(celli), places_[i])
-              ? -1
-              : magSqr(mesh_.cellCentres()[celli] - places_[i]);
-            if (d < nearest)
+            shareOut(cells, parts[i], ofCell[i]);
+        }
+        else
+        {
+            for (const label pointi : ofCell[i])
             {
-                nearest = d;
-                cells_[i] = celli;
+                points_[pointi].cell = parts[i][0];
             }
         }
     }
-}
-
-
-void Foam::carriedPoints::write() const
-{
-    if (!size())
-    {
-        return;
-    }
-
-    const word& name = materialPointCloud::cloudName;
-    const fileName from(mesh_.time().path()/time_/cloud::prefix/name);
-    const fileName to(mesh_.time().timePath()/cloud::prefix/name);
-    if (from != to)
-    {
-        mkDir(to.path());
-        cp(from, to.path());
-    }
-
-    particle::writeLagrangianPositions = true;
-    passiveParticleCloud cloud(mesh_, name, IDLList<passiveParticle>());
-    forAll(places_, i)
-    {
-        passiveParticle* p =
-            new passiveParticle(mesh_, places_[i], cells_[i]);
-        p->origProc() = origProc_[i];
-        p->origId() = origId_[i];
-        cloud.addParticle(p);
-    }
-    cloud.write();
 }
 
 

@@ -70,12 +70,13 @@ bool Foam::refinedScene::seeded() const
 
 Foam::boolList Foam::refinedScene::holdsPoints(const label material) const
 {
-    boolList holds(mesh_.nCells(), false), known(mesh_.nCells(), false);
-    forAll(points_.cells(), i)
+    boolList holds(mesh_.nCells(), false);
+    boolList known(holds);
+    for (label i = 0; i < points_.size(); ++i)
     {
-        const label celli = points_.cells()[i];
+        const label celli = points_.cell(i);
         known[celli] = true;
-        holds[celli] = holds[celli] || points_.material()[i] == material;
+        holds[celli] = holds[celli] || points_.material(i) == material;
     }
 
     // Cells without a point are as those beside them, ring by ring
