@@ -22,8 +22,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "timeFiles.H"
+#include "IFstream.H"
 #include "OSspecific.H"
-#include "StringStream.H"
 #include "topoSet.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -58,12 +58,19 @@ Foam::fileName Foam::timeFiles::instance(const fvMesh& mesh)
 }
 
 
-bool Foam::timeFiles::uniform(const regIOobject& field)
+bool Foam::timeFiles::uniform(const IOobject& field)
 {
-    OStringStream os;
-    field.writeData(os);
-
-    return os.str().find("nonuniform") == std::string::npos;
+    IFstream is(field.objectPath());
+    std::string line;
+    while (is.good())
+    {
+        is.getLine(line);
+        if (line.find("nonuniform") != std::string::npos)
+        {
+            return false;
+        }
+    }
+    return true;
 }
 
 

@@ -90,7 +90,7 @@ Foam::cellSelections::surface::surface
 :
     cellSelection(dict, scene),
     materials_(identity(scene.materials().size())),
-    rings_(number(dict, "rings", 0, 1000, 2))
+    rings_(number(dict, "rings", 0, 1000, 4))
 {
     checkedEntry::only(dict, {"type", "levels", "material", "rings"});
     if (dict.found("material"))
