@@ -92,8 +92,10 @@ void Foam::timeFiles::removeStale
         << mesh.time().timeName() << ":" << nl;
     forAllConstIters(objects, iter)
     {
+        // Of values only those of volFields are mapped
         const word& kind = iter()->headerClassName();
-        if (kind.startsWith("surface") || kind.startsWith("point"))
+        const bool mapped = kind.startsWith("vol") && kind.endsWith("Field");
+        if (!mapped && kind.find("Field") != std::string::npos)
         {
             remove(iter()->objectPath());
         }

@@ -34,8 +34,10 @@ License
 //- Points of a part of a cell below which those of the cell are split
 static const Foam::label fewest = 4;
 
-//- Halvings of the way to a new point that would be outside of the cell
-static const Foam::label largestShrink = 20;
+//- How often the way to a new point that would be outside of the cell is
+//- shortened, and by what: halves of halves would meet
+static const Foam::label mostShorter = 20;
+static const Foam::scalar shorter = 0.618;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -109,20 +111,20 @@ void Foam::carriedPoints::split
         way[axes.second()] = Foam::sin(angle)*size*Foam::sqrt(2.0)/4;
 
         label celli = -1;
-        for (label k = 0; k < largestShrink && celli < 0; ++k)
+        for (label k = 0; k < mostShorter && celli < 0; ++k)
         {
             part.place = whole.place + way;
             celli = partAt(cells, parts, part.place);
-            way *= 0.5;
+            way *= shorter;
         }
-        if (celli >= 0)
+        if (celli < 0)
         {
-            part.cell = celli;
+            // Of a point on the outline all ways may lead outside
+            celli = nearestPart(parts, whole.place);
+            way = mesh_.cellCentres()[celli] - whole.place;
+            part.place = whole.place + (i + 1)*way/(2*(n + 1));
         }
-        else
-        {
-            part.place = whole.place;
-        }
+        part.cell = celli;
 
         if (i == 0)
         {

@@ -239,8 +239,9 @@ void Foam::planarRefinement::checkVolumes() const
     if (celli >= 0 && !(V[celli] > 0))
     {
         FatalErrorInFunction
-            << "A refined cell at " << mesh_.cellCentres()[celli] << " has the volume "
-            << V[celli] << " m3: the one that it is of is not convex"
+            << "A refined cell at " << mesh_.cellCentres()[celli]
+            << " has the volume " << V[celli]
+            << " m3: the one that it is of is not convex"
             << exit(FatalError);
     }
 }
