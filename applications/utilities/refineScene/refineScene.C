@@ -207,7 +207,8 @@ int main(int argc, char *argv[])
             false
         )
     );
-    checkedEntry::only(dict, {"refine", "maxCells"});
+    // Others may be variables, such as those of a preset
+    checkedEntry::reportUnread(dict, {"refine", "maxCells"});
 
     const bool overwrite = args.found("overwrite");
     const fileName place

@@ -61,11 +61,24 @@ def disc(path, name, contrast, cells, selection=None):
     return row | {"error": found.error}
 
 
-def lid(path, name, cells, selection=None, quantity="u"):
-    """Velocity in the middle of a cavity, or flux of its vortex."""
+def follow(case, passes, share):
+    """Solve, refine a share of the cells by the indicator, and so on."""
+    case.measure("error", "errorIndicator", "executeControl writeTime;"
+                 " writeControl writeTime;")
+    for _ in range(passes):
+        case.run("cosseratPicFoam", "-solveOnce")
+        refine_scene(case, worst=f"type indicator; levels {passes};"
+                     f" share {share};")
+
+
+def lid(path, name, cells, selection=None, quantity="flux", indicator=None):
+    """Flux of the vortex of a cavity, or velocity in its middle; indicator:
+    passes and share of follow()."""
     shutil.rmtree(path, ignore_errors=True)
     scene = relatives.SCENES[name]
     case = relatives.RelativeCase(path, scene, cells).write()
+    if indicator:
+        follow(case, *indicator)
     row = solve(case, selection)
     found = relatives.measure(case, scene, cells)[quantity]
     return row | {"error": found/RELATIVES[name, quantity].value - 1}

@@ -66,7 +66,7 @@ void Foam::planarRefinement::balance
     {
         changed = false;
         DynamicList<label> more;
-        boolList asked(mesh_.nFaces() - nInternal, false);
+        bitSet asked(mesh_.nFaces());
 
         auto ask = [&](const label facei, const label celli)
         {
@@ -88,7 +88,7 @@ void Foam::planarRefinement::balance
                 const label facei = loops.middleOf(cell, corneri).face;
                 if (facei >= nInternal)
                 {
-                    asked[facei - nInternal] = true;
+                    asked.set(facei);
                 }
                 else if (facei >= 0)
                 {
@@ -102,12 +102,12 @@ void Foam::planarRefinement::balance
             }
         }
 
-        syncTools::swapBoundaryFaceList(mesh_, asked);
+        syncTools::swapFaceList(mesh_, asked);
         for (const polyPatch& pp : mesh_.boundaryMesh())
         {
             forAll(pp, i)
             {
-                if (pp.coupled() && asked[pp.start() + i - nInternal])
+                if (pp.coupled() && asked.test(pp.start() + i))
                 {
                     ask(pp.start() + i, pp.faceCells()[i]);
                 }

@@ -189,10 +189,7 @@ Foam::pointSeeding::pointSeeding
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::labelList Foam::pointSeeding::materials
-(
-    const UList<point>& corners
-) const
+Foam::labelList Foam::pointSeeding::materials(const pointField& corners) const
 {
     DynamicList<label> found;
     for (const point& p : places(corners))
