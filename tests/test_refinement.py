@@ -245,7 +245,8 @@ def test_mistakes_are_told(run, entries, words):
     assert (run.path/"0.02/U").read_bytes() == before
 
 
-@pytest.mark.parametrize("name", ["start, 2/3", "filled, 2/3"])
+@pytest.mark.parametrize("name", [
+    pytest.param("start, 2/3", marks=pytest.mark.slow), "filled, 2/3"])
 def test_rate_of_the_silo(tmp_path, name):
     """Below 2 % with six levels at the slot, without more iterations; the
     model of corners is right on refined cells too, and where cells at a corner

@@ -92,10 +92,15 @@ void Foam::timeFiles::removeStale
         << mesh.time().timeName() << ":" << nl;
     forAllConstIters(objects, iter)
     {
-        // Of values only those of volFields are mapped
+        // Of values only those of volFields are mapped. Without a folder of
+        // the time the list is of the files of constant
         const word& kind = iter()->headerClassName();
         const bool mapped = kind.startsWith("vol") && kind.endsWith("Field");
-        if (!mapped && kind.find("Field") != std::string::npos)
+        if
+        (
+            !mapped && kind.find("Field") != std::string::npos
+         && iter()->instance() == mesh.time().timeName()
+        )
         {
             remove(iter()->objectPath());
         }
