@@ -18,6 +18,7 @@ MANUFACTURED = {
     "wavy": (1.24e-2, 6.0e-2, 1.41),
     "sector": (9.8e-3, 3.8e-2, 1.35),
     "triangles": (2.5e-3, 1.62e-2, 2.83),
+    "levels": (5.2e-3, 2.8e-2, 1.3),
 }
 
 
@@ -30,7 +31,9 @@ def test_manufactured(tmp_path, mesh):
     fine = rows[1]
     found = (fine["errU"], fine["errOmega"], fine["errP"])
     assert all(a < b for a, b in zip(found, MANUFACTURED[mesh])), found
-    assert fine["orderU"] > 1.95 and fine["orderOmega"] > 1.95
+    # Of few cells between changes of level the coarse mesh gains more
+    least = 1.88 if mesh == "levels" else 1.95
+    assert fine["orderU"] > least and fine["orderOmega"] > least
     assert fine["orderP"] > (1.1 if mesh == "triangles" else 1.8)
     assert fine["iterations"] <= 42
 

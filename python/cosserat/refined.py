@@ -28,3 +28,15 @@ def middles(case):
     """Means of the corners of each cell, (cells, 2), without a field."""
     return np.array([np.mean(corners, axis=0)[:2]
                      for corners in case.polygons()])
+
+
+def refine_scene(case, **selections):
+    """Refine a case by refineScene, given a text of entries per selection;
+    returns what it says."""
+    refine = "\n".join(f"{name} {{ {entries} }}"
+                       for name, entries in selections.items())
+    (case.path/"system/refineSceneDict").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary; object x; }\n"
+        f"refine\n{{\n{refine}\n}}\n")
+    case.run("refineScene", "-overwrite")
+    return case.log("refineScene")

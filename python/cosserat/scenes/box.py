@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from cosserat.case import Case, ROOT, parse_list
-from cosserat.refined import middles, refine_cells
+from cosserat.refined import middles, refine_cells, refine_scene
 from cosserat.triangles import write_prisms
 
 HEADER = """FoamFile
@@ -79,7 +79,8 @@ class Box:
     fields; force, couple: functions (x, y) for a body force and a body couple;
     warp: function (x, y) -> (x, y) that moves the points of the mesh;
     triangles: True for triangular prisms; halved: function (x, y) -> is the
-    cell there halved both ways; average: of the viscosities (None: left out).
+    cell there halved both ways; refined: selections of refine_scene, by name;
+    average: of the viscosities (None: left out).
     """
 
     def __init__(self, path, n=16, materials=None, walls=None, g=(0, 0, 0),
@@ -87,7 +88,7 @@ class Box:
                  tolerance=1e-10, shear=0.0, notConverged="error",
                  symmetry=(), xmin=-0.5, force=None, couple=None,
                  average="arithmetic", warp=None, triangles=False,
-                 halved=None):
+                 halved=None, refined=None):
         self.case = Case(Path(path))
         self.n, self.materials, self.g = n, materials, g
         self.cyclic, self.fractions, self.shear = cyclic, fractions, shear
@@ -96,6 +97,7 @@ class Box:
         self.xmin, self.average = xmin, average
         self.force, self.couple = force, couple
         self.warp, self.triangles, self.halved = warp, triangles, halved
+        self.refined = refined or {}
         self.walls = {side: ("type slip;", "type zeroGradient;")
                       for side in SIDES}
         self.walls.update(walls or {})
@@ -158,6 +160,8 @@ dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
         if self.halved:
             refine_cells(self.case, np.flatnonzero(
                 self.halved(*middles(self.case).T)))
+        if self.refined:
+            refine_scene(self.case, **self.refined)
         if self.warp:
             self.move_points()
         (self.case.path/"0").mkdir(exist_ok=True)

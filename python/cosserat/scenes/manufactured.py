@@ -5,6 +5,7 @@ import numpy as np
 
 from cosserat.analytic import Manufactured, Material
 from cosserat.case import residuals
+from cosserat.results import l2
 from cosserat.scenes.box import Box
 
 #: First material at fraction 1, second at 0: eta and etaC 1 to 3 and 2 to 1
@@ -32,6 +33,21 @@ def _sector(x, y):
     return (1.5 + x)*np.cos(angle), (1.5 + x)*np.sin(angle)
 
 
+#: Half the sides of squares of cells refined once and twice
+NESTED = (0.25, 0.125)
+
+#: Selections of refine_scene that make them
+LEVELS = {f"square{level}": f"type source; levels {level}; source boxToCell;"
+          f" box ({-half} {-half} -1) ({half} {half} 1);"
+          for level, half in enumerate(NESTED, 1)}
+
+
+def _from_change(x, y):
+    """Way to the nearest change of level."""
+    radius = np.maximum(np.abs(x), np.abs(y))
+    return np.min([np.abs(radius - half) for half in NESTED], axis=0)
+
+
 #: mesh: (coordinates that follow the walls, parameters of Box)
 MESHES = {
     "uniform": (UNIT, {}),
@@ -42,11 +58,13 @@ MESHES = {
     "sector": ((lambda x, y: np.hypot(x, y) - 1,
                 lambda x, y: np.arctan2(y, x)*2/np.pi), {"warp": _sector}),
     "triangles": (UNIT, {"triangles": True}),
+    "levels": (UNIT, {"refined": LEVELS}),
 }
 
 
 def run(path, mesh, n, tolerance=1e-8):
-    """Row of a run: relative L2 errors, iterations. The viscous stresses are
+    """Row of a run: relative L2 errors, iterations; where there are levels also
+    errPAway, of p away from where they change. The viscous stresses are
     some sixty times the pressure, so the relative error of the latter is
     large."""
     (X, Y), parameters = MESHES[mesh]
@@ -69,7 +87,7 @@ def run(path, mesh, n, tolerance=1e-8):
 
     p, exact_p = case.field("p"), exact.p(x, y)
     offset = (V*(p - exact_p)).sum()/V.sum()
-    return {
+    row = {
         "mesh": mesh, "n": n, "cells": len(V),
         "errU": rms(case.field("U")[:, :2].T - exact.u(x, y))
         / rms(exact.u(x, y)),
@@ -78,3 +96,7 @@ def run(path, mesh, n, tolerance=1e-8):
         "errP": rms(p - exact_p - offset)/rms(exact_p),
         "iterations": residuals(case.log())[0][3],
     }
+    if mesh == "levels":
+        away = _from_change(x, y) > 0.06
+        row["errPAway"] = l2(p - offset, exact_p, away).error
+    return row

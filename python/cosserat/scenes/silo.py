@@ -100,7 +100,10 @@ def rate(case, aperture=1):
     middle, size = corners.mean(axis=1), np.ptp(corners, axis=1)
     through = ((np.abs(middle[:, 1]) < 1e-9) & (size[:, 1] < 1e-9)
                & (np.abs(middle[:, 0]) < aperture/2))
-    return float(np.abs(phi[through].sum())/DEPTH)
+    # In refined meshes normals of faces are up and down
+    normal = np.cross(corners[:, 2] - corners[:, 0],
+                      corners[:, 3] - corners[:, 1])[:, 1]
+    return float(-(phi*np.sign(normal))[through].sum()/DEPTH)
 
 
 #: Cells and growth towards the corners (largest over smallest of a half, or of

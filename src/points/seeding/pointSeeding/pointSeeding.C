@@ -189,6 +189,21 @@ Foam::pointSeeding::pointSeeding
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::labelList Foam::pointSeeding::materials(const pointField& corners) const
+{
+    DynamicList<label> found;
+    for (const point& p : places(corners))
+    {
+        const label m = regionMaterial_[region(p)];
+        if (!found.found(m))
+        {
+            found.append(m);
+        }
+    }
+    return labelList(std::move(found));
+}
+
+
 void Foam::pointSeeding::seed(materialPointCloud& cloud) const
 {
     const planarCells cells(mesh_);
