@@ -67,6 +67,23 @@ Foam::labelPair Foam::planarCells::axes(const polyMesh& mesh)
 }
 
 
+Foam::labelList Foam::planarCells::turns(const UList<point>& corners)
+{
+    DynamicList<label> turns(corners.size());
+
+    forAll(corners, i)
+    {
+        const vector before(corners[i] - corners[corners.rcIndex(i)]);
+        const vector after(corners[corners.fcIndex(i)] - corners[i]);
+        if (mag(before ^ after) > 1e-3*mag(before)*mag(after))
+        {
+            turns.append(i);
+        }
+    }
+    return labelList(turns);
+}
+
+
 bool Foam::planarCells::contains
 (
     const labelPair& axes,

@@ -30,9 +30,10 @@ License
 
 Foam::pointField Foam::pointSeeding::places
 (
-    const UList<point>& corners
+    const pointField& allCorners
 ) const
 {
+    const pointField corners(allCorners, planarCells::turns(allCorners));
     const label n = pointsPerCell_;
     pointField places(n);
     const label k = label(std::lround(std::sqrt(scalar(n))));
