@@ -24,6 +24,7 @@ License
 #include "planarCells.H"
 #include "emptyPolyPatch.H"
 #include "meshTools.H"
+#include <cmath>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -81,6 +82,41 @@ Foam::labelList Foam::planarCells::turns(const UList<point>& corners)
         }
     }
     return labelList(turns);
+}
+
+
+Foam::point Foam::planarCells::spread
+(
+    const labelPair& axes,
+    const UList<point>& corners,
+    label& trial
+)
+{
+    point lower(corners[0]), upper(corners[0]);
+    for (const point& corner : corners)
+    {
+        lower = min(lower, corner);
+        upper = max(upper, corner);
+    }
+
+    // Additive recurrence with the plastic number: the inverses of its powers
+    // fill a square evenly
+    const scalar plastic = 1.32471795724474602596;
+    const vector size(upper - lower);
+
+    point p(lower);
+    do
+    {
+        ++trial;
+        p = lower;
+        p[axes.first()] +=
+            size[axes.first()]*std::fmod(0.5 + trial/plastic, 1);
+        p[axes.second()] +=
+            size[axes.second()]*std::fmod(0.5 + trial/sqr(plastic), 1);
+    }
+    while (!contains(axes, corners, p));
+
+    return p;
 }
 
 

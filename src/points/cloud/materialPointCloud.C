@@ -222,16 +222,8 @@ Foam::materialPointCloud::materialPointCloud
         << ", coupling " << coupling_->type()
         << ", average " << average_->type()
         << ", minPointsPerCell " << population_.minPointsPerCell()
-        << ", maxPointsPerCell ";
-    if (population_.maxPointsPerCell())
-    {
-        Info<< population_.maxPointsPerCell();
-    }
-    else
-    {
-        Info<< "none";
-    }
-    Info<< ", volumeCorrection " << correction_.active()
+        << ", maxPointsPerCell " << population_.maxPointsPerCell()
+        << ", volumeCorrection " << correction_.active()
         << nl << endl;
     properties_.report();
 
@@ -310,7 +302,7 @@ void Foam::materialPointCloud::predict
     takeFlow(dt);
     track(0.5*dt);
     census_.take(*this);
-    population_.refill(*this);
+    population_.mend(*this, census_);
     average(fractions);
 
     this->clear();
@@ -334,16 +326,12 @@ void Foam::materialPointCloud::move(const scalar dt)
     );
 
     census_.take(*this);
-    const label nAdded = population_.refill(*this);
-    const label nDeleted = population_.thin(*this);
-    if (nAdded || nDeleted)
-    {
-        census_.take(*this);
-    }
+    const labelPair changed(population_.mend(*this, census_));
 
     account_.close
     (
-        *this, nIn, volumeIn, nAdded, nDeleted, td.nOut, td.volumeOut
+        *this, nIn, volumeIn, changed.first(), changed.second(), td.nOut,
+        td.volumeOut
     );
     account_.compare(*this, inflow_.waiting());
 }

@@ -36,15 +36,28 @@ Foam::pointCensus::pointCensus()
 
 void Foam::pointCensus::take(const materialPointCloud& cloud)
 {
-    count_.setSize(cloud.pMesh().nCells());
+    const label nCells = cloud.pMesh().nCells();
+    count_.setSize(nCells);
     count_ = 0;
+    filled_.setSize(nCells);
+    filled_ = 0;
+    least_.setSize(nCells);
+    least_ = GREAT;
+    most_.setSize(nCells);
+    most_ = 0;
     volume_.setSize(cloud.materials().size());
     volume_ = 0;
 
     for (const materialPoint& p : cloud)
     {
-        ++count_[p.cell()];
-        volume_[p.material()] += p.volume();
+        const label celli = p.cell();
+        const scalar V = p.volume();
+
+        ++count_[celli];
+        filled_[celli] += V;
+        least_[celli] = min(least_[celli], V);
+        most_[celli] = max(most_[celli], V);
+        volume_[p.material()] += V;
     }
 
     nPoints_ = cloud.nPoints();

@@ -22,241 +22,141 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointPopulation.H"
-#include "bitSet.H"
-#include "coupledPolyPatch.H"
+#include "cellPoints.H"
 #include "materialPointCloud.H"
-#include "syncTools.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-    //- Rotate what came through a coupled face, as points that cross it are
-    static void turn(materialPoint& p, const polyMesh& mesh, const label facei)
-    {
-        const polyBoundaryMesh& patches = mesh.boundaryMesh();
-        const coupledPolyPatch& pp =
-            refCast<const coupledPolyPatch>(patches[patches.whichPatch(facei)]);
+    //- Share of the mean volume of the points of a cell below which one is
+    //- merged: three times what is promised
+    static const scalar tinyShare = 0.03;
 
-        if (!pp.parallel())
-        {
-            const tensorField& T = pp.forwardT();
-            p.transformProperties(T[T.size() == 1 ? 0 : pp.whichFace(facei)]);
-        }
-    }
+    //- By this much more than the largest volume points are not yet split:
+    //- those of the start may be as large, but for rounding
+    static const scalar margin = 1 + 1e-6;
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalarList Foam::pointPopulation::halve
-(
-    const materialPointCloud& cloud,
-    materialPoint& p
-)
+bool Foam::pointPopulation::compressible(const fvMesh& mesh)
 {
-    p.volume() *= 0.5;
-    cloud.properties().split(p);
+    const volScalarField* invB = mesh.findObject<volScalarField>("invB");
 
-    return p.handsOn();
+    return invB && gMax(invB->primitiveField()) > 0;
 }
 
 
-Foam::materialPoint* Foam::pointPopulation::split
-(
-    materialPointCloud& cloud,
-    materialPoint& p,
-    const point& position,
-    const label celli
-) const
+Foam::label Foam::pointPopulation::splitLarge(materialPointCloud& cloud) const
 {
-    materialPoint* added = new materialPoint
-    (
-        mesh_, position, celli, halve(cloud, p)
-    );
-    cloud.addParticle(added);
+    const scalarField& most = cloud.census().most();
+    bitSet large(most.size());
+    forAll(most, celli)
+    {
+        if (most[celli] > margin*largest_[celli])
+        {
+            large.set(celli);
+        }
+    }
 
-    return added;
+    cellPoints points(cloud, large);
+    label nAdded = 0;
+    for (const label celli : large)
+    {
+        // Those added are looked at too
+        DynamicList<materialPoint*>& here = points[celli];
+        for (label i = 0; i < here.size(); ++i)
+        {
+            while (here[i]->volume() > margin*largest_[celli])
+            {
+                here.append(splitting_.split(cloud, *here[i], here));
+                ++nAdded;
+            }
+        }
+    }
+
+    return nAdded;
 }
 
 
-void Foam::pointPopulation::fillAcross
-(
-    materialPointCloud& cloud,
-    const labelList& before,
-    labelList& count,
-    label& nAdded
-) const
+Foam::label Foam::pointPopulation::mergeMany(materialPointCloud& cloud) const
 {
-    // Cells that need a point, asked of those behind coupled faces
-    bool any = false;
-    for (const label n : count)
-    {
-        any = any || n == 0;
-    }
-    if (!returnReduce(any, orOp<bool>()))
-    {
-        return;
-    }
+    const pointCensus& census = cloud.census();
+    const labelList& count = census.count();
 
-    const label nBoundary = mesh_.nFaces() - mesh_.nInternalFaces();
-    const label first = mesh_.nInternalFaces();
-    labelList otherCount;
-    syncTools::swapBoundaryCellList(mesh_, before, otherCount);
-
-    // One face asks for each empty cell
-    labelList asked(nBoundary, Zero);
-    labelList faceOf(mesh_.nCells(), -1);
+    bitSet tiny(count.size()), many(count.size()), gathered(count.size());
     forAll(count, celli)
     {
-        if (count[celli] > 0)
+        if
+        (
+            census.least()[celli]*count[celli]
+          < tinyShare*census.filled()[celli]
+        )
         {
-            continue;
-        }
-        for (const label facei : mesh_.cells()[celli])
-        {
-            if
-            (
-                facei >= first
-             && mesh_.boundaryMesh()
-                [
-                    mesh_.boundaryMesh().whichPatch(facei)
-                ].coupled()
-             && otherCount[facei - first] > 0
-            )
+            tiny.set(celli);
+            for (const label pointi : surroundings_.corners(celli))
             {
-                faceOf[celli] = facei;
-                asked[facei - first] = 1;
-                break;
+                gathered.set(surroundings_.around(pointi));
             }
         }
-        if (faceOf[celli] < 0)
+        if (count[celli] > maxPointsPerCell_)
         {
-            FatalErrorInFunction
-                << "Cell " << celli << " at " << mesh_.cellCentres()[celli]
-                << " has no material point and its neighbours have none"
-                << " either, time " << mesh_.time().timeName() << nl
-                << "    Cures: more pointsPerCell or minPointsPerCell, a"
-                << " smaller maxCo" << exit(FatalError);
+            many.set(celli);
+        }
+    }
+    gathered |= tiny;
+    gathered |= many;
+
+    cellPoints points(cloud, gathered);
+    label nDeleted = 0;
+    for (const label celli : tiny)
+    {
+        nDeleted += merging_.sweep(cloud, points, celli, tinyShare);
+    }
+    for (const label celli : many)
+    {
+        nDeleted += merging_.thin
+        (
+            cloud, points[celli], maxPointsPerCell_, largest_[celli]
+        );
+    }
+
+    return nDeleted;
+}
+
+
+Foam::label Foam::pointPopulation::splitFew(materialPointCloud& cloud) const
+{
+    const labelList& count = cloud.census().count();
+    bitSet few(count.size());
+    forAll(count, celli)
+    {
+        if (count[celli] < minPointsPerCell_)
+        {
+            few.set(celli);
         }
     }
 
-    syncTools::swapBoundaryFaceList(mesh_, asked);
-
-    bitSet giving(mesh_.nCells());
-    forAll(asked, b)
+    cellPoints points(cloud, few);
+    label nAdded = 0;
+    for (const label celli : few)
     {
-        if (asked[b])
+        DynamicList<materialPoint*>& here = points[celli];
+        while (here.size() && here.size() < minPointsPerCell_)
         {
-            giving.set(mesh_.faceOwner()[first + b]);
-        }
-    }
-    Map<DynamicList<materialPoint*>> points;
-    if (giving.any())
-    {
-        for (materialPoint& p : cloud)
-        {
-            if (giving[p.cell()])
+            materialPoint* largest = here[0];
+            for (materialPoint* p : here)
             {
-                points(p.cell()).append(&p);
+                largest = p->volume() > largest->volume() ? p : largest;
             }
-        }
-    }
-
-    // Their largest points give half of their volume
-    List<scalarList> numbers
-    (
-        materialPoint::nOwnNumbers + cloud.properties().nValues(),
-        scalarList(nBoundary, Zero)
-    );
-    forAll(asked, b)
-    {
-        // Also the faces of this side that ask have no point to give
-        const label celli = mesh_.faceOwner()[first + b];
-        if (!asked[b] || before[celli] == 0)
-        {
-            continue;
-        }
-        materialPoint* largest = nullptr;
-        for (materialPoint* p : points(celli))
-        {
-            if (!largest || p->volume() > largest->volume())
-            {
-                largest = p;
-            }
-        }
-        const scalarList given(halve(cloud, *largest));
-        forAll(given, k)
-        {
-            numbers[k][b] = given[k];
-        }
-    }
-
-    for (scalarList& each : numbers)
-    {
-        syncTools::swapBoundaryFaceList(mesh_, each);
-    }
-
-    forAll(faceOf, celli)
-    {
-        if (faceOf[celli] >= 0)
-        {
-            const label facei = faceOf[celli];
-            scalarList given(numbers.size());
-            forAll(given, k)
-            {
-                given[k] = numbers[k][facei - first];
-            }
-
-            materialPoint* added = new materialPoint
-            (
-                mesh_, mesh_.cellCentres()[celli], celli, given
-            );
-            turn(*added, mesh_, facei);
-            cloud.addParticle(added);
-            ++count[celli];
+            here.append(splitting_.split(cloud, *largest, here));
             ++nAdded;
         }
     }
-}
 
-
-Foam::materialPoint* Foam::pointPopulation::dense
-(
-    const UList<materialPoint*>& points
-)
-{
-    materialPoint* smaller = nullptr;
-
-    for (const bool sameDye : {true, false})
-    {
-        scalar nearest = GREAT;
-        forAll(points, i)
-        {
-            for (label j = 0; j < i; ++j)
-            {
-                materialPoint& a = *points[i];
-                materialPoint& b = *points[j];
-                const scalar distance = magSqr(a.position() - b.position());
-                if
-                (
-                    a.material() == b.material()
-                 && (!sameDye || a.dye() == b.dye())
-                 && distance < nearest
-                )
-                {
-                    nearest = distance;
-                    smaller = a.volume() < b.volume() ? &a : &b;
-                }
-            }
-        }
-        if (smaller)
-        {
-            break;
-        }
-    }
-
-    return smaller;
+    return nAdded;
 }
 
 
@@ -269,12 +169,18 @@ Foam::pointPopulation::pointPopulation
     const label pointsPerCell
 )
 :
-    mesh_(mesh),
+    surroundings_(mesh),
     minPointsPerCell_
     (
         dict.getOrDefault<label>("minPointsPerCell", pointsPerCell/4)
     ),
-    maxPointsPerCell_(dict.getOrDefault<label>("maxPointsPerCell", 0))
+    maxPointsPerCell_
+    (
+        dict.getOrDefault<label>("maxPointsPerCell", 2*pointsPerCell)
+    ),
+    splitting_(surroundings_),
+    merging_(surroundings_),
+    balance_(surroundings_)
 {
     if (minPointsPerCell_ < 0 || minPointsPerCell_ > pointsPerCell)
     {
@@ -285,206 +191,55 @@ Foam::pointPopulation::pointPopulation
     }
 
     const label least = max(minPointsPerCell_, label(1));
-    if (dict.found("maxPointsPerCell") && maxPointsPerCell_ < least)
+    if (maxPointsPerCell_ < least)
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'maxPointsPerCell' is " << maxPointsPerCell_ << nl
             << "    Allowed: minPointsPerCell, " << least
-            << ", or more; no entry: none are deleted" << exit(FatalIOError);
+            << ", or more" << exit(FatalIOError);
+    }
+
+    if (minPointsPerCell_)
+    {
+        largest_ = surroundings_.smallestAround()/scalar(minPointsPerCell_);
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::pointPopulation::refill(materialPointCloud& cloud) const
+Foam::labelPair Foam::pointPopulation::mend
+(
+    materialPointCloud& cloud,
+    pointCensus& census
+) const
 {
+    labelPair changed(0, 0);
     if (minPointsPerCell_ == 0)
     {
-        return 0;
+        return changed;
     }
 
-    const labelList& before = cloud.census().count();
-    labelList count(before);
-
-    // The points of cells that are low and of the neighbours of empty ones
-    bitSet low(mesh_.nCells());
-    bool any = false;
-    forAll(count, celli)
+    const auto note = [&](label& sum, const label n)
     {
-        if (count[celli] < minPointsPerCell_)
+        if (returnReduce(n, sumOp<label>()))
         {
-            low.set(celli);
-            any = true;
-            if (count[celli] == 0)
-            {
-                for (const label other : mesh_.cellCells()[celli])
-                {
-                    low.set(other);
-                }
-            }
+            sum += returnReduce(n, sumOp<label>());
+            census.take(cloud);
         }
-    }
+    };
 
-    label nAdded = 0;
-    Map<DynamicList<materialPoint*>> points;
+    note(changed.first(), splitLarge(cloud));
+    scalarField filled(census.filled());
+    note
+    (
+        changed.first(),
+        balance_.apply(cloud, filled, compressible(surroundings_.mesh()))
+    );
+    note(changed.second(), mergeMany(cloud));
+    note(changed.first(), splitFew(cloud));
 
-    if (any)
-    {
-        for (materialPoint& p : cloud)
-        {
-            if (low[p.cell()])
-            {
-                points(p.cell()).append(&p);
-            }
-        }
-
-        forAll(count, celli)
-        {
-            if (count[celli] == 0)
-            {
-                const point& centre = mesh_.cellCentres()[celli];
-                materialPoint* nearest = nullptr;
-
-                for (const label other : mesh_.cellCells()[celli])
-                {
-                    if (before[other] == 0)
-                    {
-                        continue;
-                    }
-                    for (materialPoint* p : points(other))
-                    {
-                        if
-                        (
-                            !nearest
-                         || magSqr(p->position() - centre)
-                          < magSqr(nearest->position() - centre)
-                        )
-                        {
-                            nearest = p;
-                        }
-                    }
-                }
-
-                if (nearest)
-                {
-                    points(celli).append
-                    (
-                        split(cloud, *nearest, centre, celli)
-                    );
-                    ++count[celli];
-                    ++nAdded;
-                }
-            }
-        }
-    }
-
-    fillAcross(cloud, before, count, nAdded);
-
-    if (any)
-    {
-        forAll(count, celli)
-        {
-            while (low[celli] && count[celli] < minPointsPerCell_)
-            {
-                materialPoint* largest = nullptr;
-                for (materialPoint* p : points(celli))
-                {
-                    if (!largest || p->volume() > largest->volume())
-                    {
-                        largest = p;
-                    }
-                }
-
-                // One filled across is split further in the next step
-                if (!largest)
-                {
-                    break;
-                }
-
-                // A tenth of the way to the centre: inside a convex cell
-                const point position
-                (
-                    0.9*largest->position()
-                  + 0.1*mesh_.cellCentres()[celli]
-                );
-                points(celli).append
-                (
-                    split(cloud, *largest, position, celli)
-                );
-                ++count[celli];
-                ++nAdded;
-            }
-        }
-    }
-
-    return returnReduce(nAdded, sumOp<label>());
-}
-
-
-Foam::label Foam::pointPopulation::thin(materialPointCloud& cloud) const
-{
-    if (maxPointsPerCell_ == 0)
-    {
-        return 0;
-    }
-
-    // Cells that were filled have no more than the minimum
-    const labelList& count = cloud.census().count();
-    Map<DynamicList<materialPoint*>> points;
-
-    if (max(count) > maxPointsPerCell_)
-    {
-        for (materialPoint& p : cloud)
-        {
-            if (count[p.cell()] > maxPointsPerCell_)
-            {
-                points(p.cell()).append(&p);
-            }
-        }
-    }
-
-    label nDeleted = 0;
-    forAllIters(points, iter)
-    {
-        DynamicList<materialPoint*>& here = *iter;
-
-        while (here.size() > maxPointsPerCell_)
-        {
-            materialPoint* gone = dense(here);
-            if (!gone)
-            {
-                break;
-            }
-
-            DynamicList<materialPoint*> rest;
-            scalar volume = 0;
-            for (materialPoint* p : here)
-            {
-                if (p != gone)
-                {
-                    rest.append(p);
-                    volume +=
-                        p->material() == gone->material() ? p->volume() : 0;
-                }
-            }
-            const scalar growth = 1 + gone->volume()/volume;
-            for (materialPoint* p : rest)
-            {
-                if (p->material() == gone->material())
-                {
-                    p->volume() *= growth;
-                    cloud.properties().merge(*p, *gone, 1 - 1/growth);
-                }
-            }
-
-            here.transfer(rest);
-            cloud.deleteParticle(*gone);
-            ++nDeleted;
-        }
-    }
-
-    return returnReduce(nDeleted, sumOp<label>());
+    return changed;
 }
 
 
