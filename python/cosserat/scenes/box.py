@@ -54,7 +54,7 @@ def account(case):
     """The books at the end of a run that counts its points: inside, volume,
     in, volume, added, deleted, out, volume; the volumes in m3."""
     row = case.table("points", "pointStatistics.dat")[-1]
-    return [row[1], *row[7:]]
+    return [row[1], *row[7:14]]
 
 
 def retype(case, kind, *sides):

@@ -24,6 +24,7 @@ License
 #include "planarCells.H"
 #include "emptyPolyPatch.H"
 #include "meshTools.H"
+#include "volFields.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -65,6 +66,17 @@ Foam::labelPair Foam::planarCells::axes(const polyMesh& mesh)
     const label normal = dirs.x() < 0 ? 0 : dirs.y() < 0 ? 1 : 2;
 
     return labelPair((normal + 1) % 3, (normal + 2) % 3);
+}
+
+
+Foam::scalar Foam::planarCells::typicalSize(const fvMesh& mesh)
+{
+    const labelPair across(axes(mesh));
+    const scalar depth =
+        mesh.bounds().span()[3 - across.first() - across.second()];
+    const scalarField& V = mesh.V();
+
+    return Foam::sqrt(gSum(sqr(V))/gSum(V)/depth);
 }
 
 

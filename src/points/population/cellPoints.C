@@ -24,22 +24,67 @@ License
 #include "cellPoints.H"
 #include "materialPointCloud.H"
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::cellPoints::cellPoints(materialPointCloud& cloud, const bitSet& cells)
+void Foam::cellPoints::sort()
 {
-    if (cells.none())
+    const labelList& count = cloud_.census().count();
+    start_.setSize(count.size() + 1);
+    start_[0] = 0;
+    forAll(count, celli)
     {
-        return;
+        start_[celli + 1] = start_[celli] + count[celli];
     }
 
-    for (materialPoint& p : cloud)
+    sorted_.setSize(start_.last());
+    labelList next(start_);
+    for (materialPoint& p : cloud_)
     {
-        if (cells[p.cell()])
+        sorted_[next[p.cell()]++] = &p;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::DynamicList<Foam::materialPoint*>& Foam::cellPoints::operator[]
+(
+    const label celli
+)
+{
+    if (start_.empty())
+    {
+        sort();
+    }
+
+    auto iter = asked_.find(celli);
+    if (iter.found())
+    {
+        return *iter;
+    }
+
+    DynamicList<materialPoint*>& here = asked_(celli);
+    here = SubList<materialPoint*>
+    (
+        sorted_, start_[celli + 1] - start_[celli], start_[celli]
+    );
+
+    return here;
+}
+
+
+void Foam::cellPoints::remove(const label celli, const materialPoint* p)
+{
+    DynamicList<materialPoint*>& here = operator[](celli);
+    label n = 0;
+    for (materialPoint* each : here)
+    {
+        if (each != p)
         {
-            points_(p.cell()).append(&p);
+            here[n++] = each;
         }
     }
+    here.setSize(n);
 }
 
 

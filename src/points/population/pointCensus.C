@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointCensus.H"
+#include "cellPoints.H"
 #include "materialPointCloud.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -62,6 +63,27 @@ void Foam::pointCensus::take(const materialPointCloud& cloud)
 
     nPoints_ = cloud.nPoints();
     reduce(volume_, sumOp<scalarField>());
+}
+
+
+void Foam::pointCensus::update(const cellPoints& points)
+{
+    forAllConstIters(points.asked(), iter)
+    {
+        const label celli = iter.key();
+        count_[celli] = iter().size();
+        filled_[celli] = 0;
+        least_[celli] = GREAT;
+        most_[celli] = 0;
+
+        for (const materialPoint* p : iter())
+        {
+            const scalar V = p->volume();
+            filled_[celli] += V;
+            least_[celli] = min(least_[celli], V);
+            most_[celli] = max(most_[celli], V);
+        }
+    }
 }
 
 

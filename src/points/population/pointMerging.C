@@ -76,19 +76,6 @@ namespace Foam
 
         return best;
     }
-
-    static void remove(DynamicList<materialPoint*>& here, materialPoint* p)
-    {
-        label n = 0;
-        for (materialPoint* each : here)
-        {
-            if (each != p)
-            {
-                here[n++] = each;
-            }
-        }
-        here.setSize(n);
-    }
 }
 
 
@@ -115,11 +102,12 @@ void Foam::pointMerging::merge
 
 bool Foam::pointMerging::mergeClosest
 (
-    materialPointCloud& cloud,
-    DynamicList<materialPoint*>& here,
+    cellPoints& points,
+    const label celli,
     const scalar largest
 ) const
 {
+    const DynamicList<materialPoint*>& here = points[celli];
     List<point> places(here.size());
     forAll(here, i)
     {
@@ -152,8 +140,8 @@ bool Foam::pointMerging::mergeClosest
         return false;
     }
 
-    remove(here, goes);
-    merge(cloud, *stays, *goes, true);
+    points.remove(celli, goes);
+    merge(points.cloud(), *stays, *goes, true);
 
     return true;
 }
@@ -186,14 +174,15 @@ Foam::DynamicList<Foam::materialPoint*> Foam::pointMerging::pointsAround
 
 Foam::label Foam::pointMerging::thin
 (
-    materialPointCloud& cloud,
-    DynamicList<materialPoint*>& here,
+    cellPoints& points,
+    const label celli,
     const label most,
     const scalar largest
 ) const
 {
+    const DynamicList<materialPoint*>& here = points[celli];
     const label before = here.size();
-    while (here.size() > most && mergeClosest(cloud, here, largest))
+    while (here.size() > most && mergeClosest(points, celli, largest))
     {}
 
     return before - here.size();
@@ -202,13 +191,12 @@ Foam::label Foam::pointMerging::thin
 
 Foam::label Foam::pointMerging::sweep
 (
-    materialPointCloud& cloud,
     cellPoints& points,
     const label celli,
     const scalar share
 ) const
 {
-    DynamicList<materialPoint*>& here = points[celli];
+    const DynamicList<materialPoint*>& here = points[celli];
     label nMerged = 0;
 
     while (here.size())
@@ -242,8 +230,8 @@ Foam::label Foam::pointMerging::sweep
             break;
         }
 
-        remove(here, tiny);
-        merge(cloud, *other, *tiny, moves);
+        points.remove(celli, tiny);
+        merge(points.cloud(), *other, *tiny, moves);
         ++nMerged;
     }
 

@@ -49,31 +49,37 @@ bool Foam::pointPopulation::compressible(const fvMesh& mesh)
 }
 
 
-Foam::label Foam::pointPopulation::splitLarge(materialPointCloud& cloud) const
+Foam::label Foam::pointPopulation::splitLarge(cellPoints& points) const
 {
+    materialPointCloud& cloud = points.cloud();
     const scalarField& most = cloud.census().most();
-    bitSet large(most.size());
+
+    DynamicList<materialPoint*> large;
     forAll(most, celli)
     {
         if (most[celli] > margin*largest_[celli])
         {
-            large.set(celli);
+            large.append(points[celli]);
         }
     }
 
-    cellPoints points(cloud, large);
+    // Those added are looked at too, in the cells where they are
     label nAdded = 0;
-    for (const label celli : large)
+    for (label i = 0; i < large.size(); ++i)
     {
-        // Those added are looked at too
-        DynamicList<materialPoint*>& here = points[celli];
-        for (label i = 0; i < here.size(); ++i)
+        materialPoint& p = *large[i];
+        while (p.volume() > margin*largest_[p.cell()])
         {
-            while (here[i]->volume() > margin*largest_[celli])
+            const label celli = p.cell();
+            materialPoint* added = splitting_.spread(cloud, p);
+            large.append(added);
+            points[added->cell()].append(added);
+            if (p.cell() != celli)
             {
-                here.append(splitting_.split(cloud, *here[i], here));
-                ++nAdded;
+                points.remove(celli, &p);
+                points[p.cell()].append(&p);
             }
+            ++nAdded;
         }
     }
 
@@ -81,68 +87,43 @@ Foam::label Foam::pointPopulation::splitLarge(materialPointCloud& cloud) const
 }
 
 
-Foam::label Foam::pointPopulation::mergeMany(materialPointCloud& cloud) const
+Foam::label Foam::pointPopulation::mergeMany(cellPoints& points) const
 {
-    const pointCensus& census = cloud.census();
-    const labelList& count = census.count();
-
-    bitSet tiny(count.size()), many(count.size()), gathered(count.size());
-    forAll(count, celli)
-    {
-        if
-        (
-            census.least()[celli]*count[celli]
-          < tinyShare*census.filled()[celli]
-        )
-        {
-            tiny.set(celli);
-            for (const label pointi : surroundings_.corners(celli))
-            {
-                gathered.set(surroundings_.around(pointi));
-            }
-        }
-        if (count[celli] > maxPointsPerCell_)
-        {
-            many.set(celli);
-        }
-    }
-    gathered |= tiny;
-    gathered |= many;
-
-    cellPoints points(cloud, gathered);
+    // Of before: merging makes cells around a tiny point no tinier
+    const pointCensus& census = points.cloud().census();
     label nDeleted = 0;
-    for (const label celli : tiny)
+
+    forAll(census.count(), celli)
     {
-        nDeleted += merging_.sweep(cloud, points, celli, tinyShare);
-    }
-    for (const label celli : many)
-    {
-        nDeleted += merging_.thin
-        (
-            cloud, points[celli], maxPointsPerCell_, largest_[celli]
-        );
+        const label n = census.count()[celli];
+        if (census.least()[celli]*n < tinyShare*census.filled()[celli])
+        {
+            nDeleted += merging_.sweep(points, celli, tinyShare);
+        }
+        if (n > maxPointsPerCell_)
+        {
+            nDeleted += merging_.thin
+            (
+                points, celli, maxPointsPerCell_, largest_[celli]
+            );
+        }
     }
 
     return nDeleted;
 }
 
 
-Foam::label Foam::pointPopulation::splitFew(materialPointCloud& cloud) const
+Foam::label Foam::pointPopulation::splitFew(cellPoints& points) const
 {
-    const labelList& count = cloud.census().count();
-    bitSet few(count.size());
+    const labelList& count = points.cloud().census().count();
+    label nAdded = 0;
+
     forAll(count, celli)
     {
-        if (count[celli] < minPointsPerCell_)
+        if (count[celli] >= minPointsPerCell_)
         {
-            few.set(celli);
+            continue;
         }
-    }
-
-    cellPoints points(cloud, few);
-    label nAdded = 0;
-    for (const label celli : few)
-    {
         DynamicList<materialPoint*>& here = points[celli];
         while (here.size() && here.size() < minPointsPerCell_)
         {
@@ -151,7 +132,7 @@ Foam::label Foam::pointPopulation::splitFew(materialPointCloud& cloud) const
             {
                 largest = p->volume() > largest->volume() ? p : largest;
             }
-            here.append(splitting_.split(cloud, *largest, here));
+            here.append(splitting_.split(points.cloud(), *largest, here));
             ++nAdded;
         }
     }
@@ -220,24 +201,28 @@ Foam::labelPair Foam::pointPopulation::mend
         return changed;
     }
 
+    cellPoints points(cloud);
     const auto note = [&](label& sum, const label n)
     {
-        if (returnReduce(n, sumOp<label>()))
+        sum += n;
+        if (n)
         {
-            sum += returnReduce(n, sumOp<label>());
-            census.take(cloud);
+            census.update(points);
         }
     };
 
-    note(changed.first(), splitLarge(cloud));
-    scalarField filled(census.filled());
+    note(changed.first(), splitLarge(points));
     note
     (
         changed.first(),
-        balance_.apply(cloud, filled, compressible(surroundings_.mesh()))
+        balance_.apply(points, compressible(surroundings_.mesh()))
     );
-    note(changed.second(), mergeMany(cloud));
-    note(changed.first(), splitFew(cloud));
+    note(changed.second(), mergeMany(points));
+    note(changed.first(), splitFew(points));
+
+    reduce(changed.first(), sumOp<label>());
+    reduce(changed.second(), sumOp<label>());
+    census.changeBy(changed.first() - changed.second());
 
     return changed;
 }

@@ -100,6 +100,62 @@ Foam::vector Foam::pointSplitting::way
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::materialPoint* Foam::pointSplitting::spread
+(
+    materialPointCloud& cloud,
+    materialPoint& p
+) const
+{
+    const label nAngles = 4, nLengths = 4;
+
+    p.volume() *= 0.5;
+    cloud.properties().split(p);
+
+    // Directions by chance, the same for the same place
+    const scalar size = surroundings_.size(p.volume());
+    const point from(p.position());
+    const scalar golden = 0.61803398874989485;
+    scalar angle =
+        constant::mathematical::pi
+       *std::fmod(mag(golden*(from & vector(7, 11, 13))/size), 1);
+
+    scalar length = 0.3*size;
+    for (label l = 0; l < nLengths; ++l)
+    {
+        for (label a = 0; a < nAngles; ++a)
+        {
+            const vector d(surroundings_.inPlane(length, angle));
+            materialPoint plus(p), minus(p);
+            if (plus.track(d, 0) == 0 && minus.track(-d, 0) == 0)
+            {
+                p.track(-d, 0);
+                materialPoint* added = new materialPoint
+                (
+                    surroundings_.mesh(), plus.position(), plus.cell(),
+                    p.handsOn()
+                );
+                cloud.addParticle(added);
+                return added;
+            }
+            angle += constant::mathematical::pi/nAngles;
+        }
+        length *= 0.5;
+    }
+
+    // In a corner: inward
+    materialPoint* added = new materialPoint
+    (
+        surroundings_.mesh(),
+        0.75*from + 0.25*surroundings_.place(p.cell(), List<point>(1, from)),
+        p.cell(),
+        p.handsOn()
+    );
+    cloud.addParticle(added);
+
+    return added;
+}
+
+
 Foam::materialPoint* Foam::pointSplitting::split
 (
     materialPointCloud& cloud,

@@ -195,32 +195,23 @@ Foam::scalarList Foam::volumeBalance::give
 
 Foam::label Foam::volumeBalance::handOn
 (
-    materialPointCloud& cloud,
+    cellPoints& points,
     const UList<meeting>& meetings,
     scalarField& filled
 ) const
 {
+    materialPointCloud& cloud = points.cloud();
     const fvMesh& mesh = surroundings_.mesh();
     const scalarField& V = mesh.V();
-
-    bitSet involved(mesh.nCells());
-    for (const meeting& at : meetings)
-    {
-        for (const label number : {at.taker, at.giver})
-        {
-            if (local(number) >= 0)
-            {
-                involved.set(local(number));
-            }
-        }
-    }
-    cellPoints points(cloud, involved);
 
     // What is handed on by point of the mesh, and where it goes
     const label nPoints = mesh.nPoints();
     scalarList volume(nPoints, GREAT);
     List<scalarList> place(3, scalarList(nPoints, Zero));
     labelList nTaken(mesh.nCells(), Zero);
+
+    // Places of points of the takers, those to come too
+    Map<DynamicList<point>> taken;
 
     for (const meeting& at : meetings)
     {
@@ -241,31 +232,16 @@ Foam::label Foam::volumeBalance::handOn
         const label celli = local(at.taker);
         if (celli >= 0)
         {
-            DynamicList<point> others;
-            for (const materialPoint* p : points[celli])
+            DynamicList<point>& others = taken(celli);
+            if (others.empty())
             {
-                others.append(p->position());
-            }
-            for (const meeting& other : meetings)
-            {
-                if (&other == &at)
+                for (const materialPoint* p : points[celli])
                 {
-                    break;
-                }
-                if (other.taker == at.taker)
-                {
-                    others.append
-                    (
-                        point
-                        (
-                            place[0][other.pointi],
-                            place[1][other.pointi],
-                            place[2][other.pointi]
-                        )
-                    );
+                    others.append(p->position());
                 }
             }
             const point p(surroundings_.place(celli, others));
+            others.append(p);
             for (direction d = 0; d < 3; ++d)
             {
                 place[d][at.pointi] = p[d];
@@ -318,22 +294,21 @@ Foam::label Foam::volumeBalance::handOn
         if (celli >= 0)
         {
             const label pointi = at.pointi;
-            scalarList taken(numbers.size());
-            forAll(taken, k)
+            scalarList handed(numbers.size());
+            forAll(handed, k)
             {
-                taken[k] = numbers[k][pointi];
+                handed[k] = numbers[k][pointi];
             }
-            cloud.addParticle
+            materialPoint* added = new materialPoint
             (
-                new materialPoint
-                (
-                    mesh,
-                    point(place[0][pointi], place[1][pointi], place[2][pointi]),
-                    celli,
-                    taken
-                )
+                mesh,
+                point(place[0][pointi], place[1][pointi], place[2][pointi]),
+                celli,
+                handed
             );
-            filled[celli] += taken[2];
+            cloud.addParticle(added);
+            points[celli].append(added);
+            filled[celli] += handed[2];
             ++nAdded;
         }
     }
@@ -395,13 +370,13 @@ Foam::volumeBalance::volumeBalance(const cellSurroundings& surroundings)
 
 Foam::label Foam::volumeBalance::apply
 (
-    materialPointCloud& cloud,
-    scalarField& filled,
+    cellPoints& points,
     const bool compressible
 ) const
 {
     const scalarField& V = surroundings_.mesh().V();
-    const label nPasses = 5;
+    scalarField filled(points.cloud().census().filled());
+    const label nPasses = 20;
     label nAdded = 0;
 
     for (label pass = 0; pass < nPasses; ++pass)
@@ -421,7 +396,7 @@ Foam::label Foam::volumeBalance::apply
         {
             checkReach(fill);
         }
-        nAdded += handOn(cloud, meetings(fill, compressible), filled);
+        nAdded += handOn(points, meetings(fill, compressible), filled);
     }
 
     return nAdded;

@@ -55,8 +55,12 @@ void Foam::pointVelocities::faceFlux::setCell
     {
         return a[i0_]*b[i1_] - a[i1_]*b[i0_];
     };
-    const bool clockwise =
-        cross(corners[1] - corners[0], corners[2] - corners[0]) < 0;
+    scalar area = 0;
+    for (label i = 2; i < n; ++i)
+    {
+        area += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
+    }
+    const bool clockwise = area < 0;
 
     for (label i = 0; i < n; ++i)
     {
