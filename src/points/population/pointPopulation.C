@@ -102,10 +102,14 @@ Foam::label Foam::pointPopulation::mergeMany(cellPoints& points) const
         }
         if (n > maxPointsPerCell_)
         {
-            nDeleted += merging_.thin
-            (
-                points, celli, maxPointsPerCell_, largest_[celli]
-            );
+            // Up to what will not be split again, where that is enough
+            for (const scalar times : {1, 2})
+            {
+                nDeleted += merging_.thin
+                (
+                    points, celli, maxPointsPerCell_, times*largest_[celli]
+                );
+            }
         }
     }
 

@@ -31,7 +31,7 @@ License
 namespace Foam
 {
     //- Fills that call for a change, and the least difference of two
-    static const scalar low = 0.6, high = 1.7, differ = 0.2;
+    static const scalar low = 0.6, high = 1.7, differ = 0.05;
 
     static bool anyCoupled(const polyMesh& mesh)
     {
