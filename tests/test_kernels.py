@@ -31,6 +31,8 @@ def wavy(x, y):
 
 MESHES = {"squares": {}, "sheared": {"shear": 0.5}, "wavy": {"warp": wavy},
           "triangles": {"triangles": True},
+          "sheared, halved": {"shear": 0.5, "halved": lambda x, y: (
+              np.abs(x) + np.abs(y - 0.1) < 0.3)},
           "halved": {"halved": lambda x, y: np.abs(x) + np.abs(y - 0.1) < 0.3},
           "honeycomb": {"honeycomb": True}}
 
@@ -92,6 +94,7 @@ def test_halo_turns_what_comes_through_a_rotational_patch(tmp_path):
 @pytest.mark.parametrize("mesh, velocity", [
     ("squares", "conservativeLinear"), ("sheared", "conservativeLinear"),
     ("triangles", "conservativeLinear"), ("halved", "conservativeLinear"),
+    ("sheared, halved", "conservativeLinear"),
     ("honeycomb", "conservativeLinear"), ("squares", "cellPoint"),
     ("sheared", "cellPoint")])
 def test_linear_velocity_in_a_cell(box, mesh, velocity):

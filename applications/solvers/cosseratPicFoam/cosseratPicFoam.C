@@ -136,7 +136,7 @@ int main(int argc, char *argv[])
         done.spent("output");
 
         #include "readTimeControls.H"
-        #include "stepCourant.H"
+        #include "createCourantNo.H"
         const scalar perSecond = CoNum/runTime.deltaTValue();
         #include "setDeltaT.H"
         done.courant(perSecond*runTime.deltaTValue());
