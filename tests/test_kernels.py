@@ -103,8 +103,13 @@ def test_linear_velocity_in_a_cell(box, mesh, velocity):
     case = box(n=8, materials=ONE, walls=EXACT, U=linear,
                omega=lambda x, y: 0*x, **MESHES[mesh])
     add_points(case, "{ type all; material a; }", velocity=velocity)
-    _, x, y, u, v, divergence, net = np.array(kernel(
-        case, "velocity", "-linear", "(0.3 0.8 -0.5 -0.3)")).T
+    rows = np.array(kernel(
+        case, "velocity", "-linear", "(0.3 0.8 -0.5 -0.3)"))
+    if mesh == "sheared, halved":
+        # Its cells of four edges are no parallelograms
+        corners = np.array([len(polygon) for polygon in case.polygons()])
+        rows = rows[corners[rows[:, 0].astype(int)] > 4]
+    _, x, y, u, v, divergence, net = rows.T
     shear = MESHES[mesh].get("shear", 0)
     inner = (np.abs(y) < 0.24) & (np.abs(x - shear*y) < 0.24)
     assert inner.sum() > 50
