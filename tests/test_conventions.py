@@ -197,8 +197,6 @@ regions
 def test_topoSet_and_refineMesh(template):
     """Cells of a box halved both ways: cells with five edges beside them."""
     case = template()
-    case.substitute("constant/materialPointsProperties",
-                    {"velocity": "cellPoint"})
     dictionary(case, "topoSetDict", f"""
 actions ( {{ name block; type cellSet; action new; source boxToCell;
     box {BLOCK}; }} );

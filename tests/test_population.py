@@ -114,11 +114,16 @@ def test_points_of_a_cell_stay_in_their_limits(box, ranks):
 
 
 @pytest.mark.slow
-def test_points_are_not_deleted_by_default(box):
-    """Without an entry cells have more than that and none is deleted."""
-    case = cavity(box, "free")
-    assert counts(case).max() > 20
-    assert account(case)[5] == 0
+def test_points_have_limits_by_default(box):
+    """A quarter of those seeded to twice as many; no two at one place, none
+    tiny, no cell half empty or filled twice."""
+    case = cavity(box, "default")
+    per_cell = counts(case)
+    assert per_cell.min() >= 4 and 20 < per_cell.max() <= 32
+    least, most, share, together = case.table(
+        "points", "pointStatistics.dat")[:, 14:].T
+    assert least.min() > 0.5 and most.max() < 2
+    assert share.min() > 0.01 and (together == 0).all()
 
 
 @pytest.mark.slow
@@ -162,7 +167,8 @@ def test_empty_neighbourhood_stops_the_run(box):
     its place and time."""
     case = box("case", n=8, walls=TURN, materials=ONE,
                U=lambda x, y: (-y, x), omega=lambda x, y: 1 + 0*x)
-    add_points(case, "{ type all; material a; }")
+    add_points(case, "{ type all; material a; }", velocity="cell",
+               integration="Euler")
     case.substitute("system/controlDict", {
         "endTime": 100, "deltaT": 100, "writeInterval": 1})
     with pytest.raises(RunError, match=r"Cell \d+ at \(\S+ \S+ \S+\) has no "

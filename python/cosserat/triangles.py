@@ -1,5 +1,6 @@
-"""A mesh of triangular prisms on the unit square [-1/2, 1/2]^2, by Delaunay's
-triangulation of shaken points; written as constant/polyMesh of a case."""
+"""Meshes of prisms on the unit square [-1/2, 1/2]^2, written as
+constant/polyMesh of a case: triangles by Delaunay's triangulation of shaken
+points, and honeycombs."""
 
 import numpy as np
 from scipy.spatial import Delaunay
@@ -49,6 +50,34 @@ def write_prisms(case, n, depth=0.1):
     triangles = triangles[np.lexsort(flat[triangles].mean(axis=1).T)]
 
     write_polygons(case, flat, triangles, nearest_side, depth)
+
+
+def write_honeycomb(case, n):
+    """Write a mesh of n rows of hexagons, cells of four and five edges beside
+    the walls; patches as those of write_prisms."""
+    flat, numbers = [], {}
+
+    def corner(i, j):
+        """Number of the point i half cells from the left, on line j."""
+        if (i, j) not in numbers:
+            numbers[i, j] = len(flat)
+            inside = 0 < i < 2*n and 0 < j < n
+            bend = (-0.15 if (i + j) % 2 else 0.15)*inside
+            flat.append((i/(2*n) - 0.5, (j + bend)/n - 0.5))
+        return numbers[i, j]
+
+    cells = []
+    for j in range(n):
+        ends = list(range(0, 2*n + 1, 2))
+        if j % 2:
+            ends = [0, *range(1, 2*n, 2), 2*n]
+        for a, b in zip(ends, ends[1:]):
+            # On the lines of the walls nothing ends in the middle
+            below = range(a, b + 1) if j > 0 else (a, b)
+            above = range(a, b + 1) if j < n - 1 else (a, b)
+            cells.append(np.array([corner(i, j) for i in below]
+                                  + [corner(i, j + 1) for i in above][::-1]))
+    write_polygons(case, np.array(flat), cells, nearest_side)
 
 
 def write_polygons(case, flat, cells, side, depth=0.1):

@@ -77,6 +77,7 @@ SourceFiles
 #include "gravityMeshObject.H"
 #include "givenFractions.H"
 #include "materialPointCloud.H"
+#include "planarCells.H"
 #include "progress.H"
 #include "sigFpe.H"
 #include "unreadFiles.H"
@@ -114,6 +115,7 @@ int main(int argc, char *argv[])
     #include "createFields.H"
     unreadFiles::report(materials, points.valid());
     progress done(runTime);
+    const scalar typicalSize = planarCells::typicalSize(mesh);
     flow.solve();
     if (points.valid())
     {
@@ -134,7 +136,7 @@ int main(int argc, char *argv[])
         done.spent("output");
 
         #include "readTimeControls.H"
-        #include "CourantNo.H"
+        #include "createCourantNo.H"
         const scalar perSecond = CoNum/runTime.deltaTValue();
         #include "setDeltaT.H"
         done.courant(perSecond*runTime.deltaTValue());

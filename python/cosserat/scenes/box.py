@@ -8,7 +8,7 @@ import numpy as np
 
 from cosserat.case import Case, ROOT, parse_list
 from cosserat.refined import middles, refine_cells, refine_scene
-from cosserat.triangles import write_prisms
+from cosserat.triangles import write_honeycomb, write_prisms
 
 HEADER = """FoamFile
 {{ version 2.0; format ascii; class {cls}; object {name}; }}
@@ -54,7 +54,7 @@ def account(case):
     """The books at the end of a run that counts its points: inside, volume,
     in, volume, added, deleted, out, volume; the volumes in m3."""
     row = case.table("points", "pointStatistics.dat")[-1]
-    return [row[1], *row[7:]]
+    return [row[1], *row[7:14]]
 
 
 def retype(case, kind, *sides):
@@ -78,9 +78,10 @@ class Box:
     material, where there are two; U, omega: functions (x, y) for the initial
     fields; force, couple: functions (x, y) for a body force and a body couple;
     warp: function (x, y) -> (x, y) that moves the points of the mesh;
-    triangles: True for triangular prisms; halved: function (x, y) -> is the
-    cell there halved both ways; refined: selections of refine_scene, by name;
-    average: of the viscosities (None: left out).
+    triangles: True for triangular prisms; honeycomb: True for hexagons;
+    halved: function (x, y) -> is the cell there halved both ways; refined:
+    selections of refine_scene, by name; average: of the viscosities (None:
+    left out).
     """
 
     def __init__(self, path, n=16, materials=None, walls=None, g=(0, 0, 0),
@@ -88,7 +89,7 @@ class Box:
                  tolerance=1e-10, shear=0.0, notConverged="error",
                  symmetry=(), xmin=-0.5, force=None, couple=None,
                  average="arithmetic", warp=None, triangles=False,
-                 halved=None, refined=None):
+                 halved=None, refined=None, honeycomb=False):
         self.case = Case(Path(path))
         self.n, self.materials, self.g = n, materials, g
         self.cyclic, self.fractions, self.shear = cyclic, fractions, shear
@@ -97,7 +98,7 @@ class Box:
         self.xmin, self.average = xmin, average
         self.force, self.couple = force, couple
         self.warp, self.triangles, self.halved = warp, triangles, halved
-        self.refined = refined or {}
+        self.refined, self.honeycomb = refined or {}, honeycomb
         self.walls = {side: ("type slip;", "type zeroGradient;")
                       for side in SIDES}
         self.walls.update(walls or {})
@@ -154,6 +155,8 @@ dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
                   f"materials\n{{{laws}\n}}\n{mean}")
         if self.triangles:
             self.prisms()
+        elif self.honeycomb:
+            write_honeycomb(self.case, self.n)
         else:
             self.mesh()
             self.case.run("blockMesh", "-noFunctionObjects")

@@ -44,9 +44,6 @@ def silo(case, name, cells, selection=None, model=True):
     by the fluxes; model: of corners."""
     scene = SILO_SCENES[name]
     prepare(case, scene, cells, corners=model)
-    # Points rest; this one knows cells of any number of sides
-    case.substitute("constant/materialPointsProperties",
-                    {"velocity": "cellPoint"})
     row = solve(case, selection)
     return row | {"error": rate(case, scene.aperture)/SILO[name].value - 1}
 
@@ -55,7 +52,6 @@ def disc(path, name, contrast, cells, selection=None):
     """Mean velocity of a disc of material points, by the power of its
     weight."""
     case = jumps.prepare(path, name, contrast, cells)
-    case.override("points", velocity="cellPoint")
     row = solve(case, selection)
     found = jumps.SCENES[name].measure(case, contrast, cells)["u"]
     return row | {"error": found.error}

@@ -62,7 +62,7 @@ def accounts(case):
     mesh, which is full."""
     table = case.table("points", "pointStatistics.dat")
     inside = table[:, 1]
-    volume, n_in, v_in, added, deleted, n_out, v_out = table[:, 7:].T
+    volume, n_in, v_in, added, deleted, n_out, v_out = table[:, 7:14].T
     start = SEEDED*case.n_cells()
     full = case.volumes().sum()
     return {

@@ -24,6 +24,8 @@ License
 #include "planarCells.H"
 #include "emptyPolyPatch.H"
 #include "meshTools.H"
+#include "volFields.H"
+#include <cmath>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -64,6 +66,69 @@ Foam::labelPair Foam::planarCells::axes(const polyMesh& mesh)
     const label normal = dirs.x() < 0 ? 0 : dirs.y() < 0 ? 1 : 2;
 
     return labelPair((normal + 1) % 3, (normal + 2) % 3);
+}
+
+
+Foam::scalar Foam::planarCells::typicalSize(const fvMesh& mesh)
+{
+    const labelPair across(axes(mesh));
+    const scalar depth =
+        mesh.bounds().span()[3 - across.first() - across.second()];
+    const scalarField& V = mesh.V();
+
+    return Foam::sqrt(gSum(sqr(V))/gSum(V)/depth);
+}
+
+
+Foam::labelList Foam::planarCells::turns(const UList<point>& corners)
+{
+    DynamicList<label> turns(corners.size());
+
+    forAll(corners, i)
+    {
+        const vector before(corners[i] - corners[corners.rcIndex(i)]);
+        const vector after(corners[corners.fcIndex(i)] - corners[i]);
+        if (mag(before ^ after) > 1e-3*mag(before)*mag(after))
+        {
+            turns.append(i);
+        }
+    }
+    return labelList(turns);
+}
+
+
+Foam::point Foam::planarCells::spread
+(
+    const labelPair& axes,
+    const UList<point>& corners,
+    label& trial
+)
+{
+    point lower(corners[0]), upper(corners[0]);
+    for (const point& corner : corners)
+    {
+        lower = min(lower, corner);
+        upper = max(upper, corner);
+    }
+
+    // Additive recurrence with the plastic number: the inverses of its powers
+    // fill a square evenly
+    const scalar plastic = 1.32471795724474602596;
+    const vector size(upper - lower);
+
+    point p(lower);
+    do
+    {
+        ++trial;
+        p = lower;
+        p[axes.first()] +=
+            size[axes.first()]*std::fmod(0.5 + trial/plastic, 1);
+        p[axes.second()] +=
+            size[axes.second()]*std::fmod(0.5 + trial/sqr(plastic), 1);
+    }
+    while (!contains(axes, corners, p));
+
+    return p;
 }
 
 

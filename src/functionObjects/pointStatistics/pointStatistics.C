@@ -50,6 +50,73 @@ Foam::functionObjects::pointStatistics::cloud() const
 }
 
 
+void Foam::functionObjects::pointStatistics::volumes
+(
+    scalar& leastFill,
+    scalar& mostFill,
+    scalar& share
+) const
+{
+    const pointCensus& census = cloud().census();
+    const scalarField fill(census.filled()/mesh_.V());
+
+    leastFill = gMin(fill);
+    mostFill = gMax(fill);
+    share = GREAT;
+    forAll(fill, celli)
+    {
+        if (fill[celli] > 0)
+        {
+            share = min
+            (
+                share,
+                census.least()[celli]*census.count()[celli]
+               /census.filled()[celli]
+            );
+        }
+    }
+    reduce(share, minOp<scalar>());
+}
+
+
+Foam::label Foam::functionObjects::pointStatistics::coincident() const
+{
+    const labelList& count = cloud().census().count();
+    labelList start(count.size() + 1, Zero);
+    forAll(count, celli)
+    {
+        start[celli + 1] = start[celli] + count[celli];
+    }
+
+    labelList next(start);
+    List<point> places(start.last());
+    for (const materialPoint& p : cloud())
+    {
+        places[next[p.cell()]++] = p.position();
+    }
+
+    // A millionth of a cell apart is the same place
+    label n = 0;
+    forAll(count, celli)
+    {
+        const scalar near = 1e-6*Foam::cbrt(mesh_.V()[celli]);
+        for (label i = start[celli]; i < start[celli + 1]; ++i)
+        {
+            for (label j = start[celli]; j < start[celli + 1]; ++j)
+            {
+                if (i != j && magSqr(places[i] - places[j]) < sqr(near))
+                {
+                    ++n;
+                    break;
+                }
+            }
+        }
+    }
+
+    return returnReduce(n, sumOp<label>());
+}
+
+
 void Foam::functionObjects::pointStatistics::writeField
 (
     const word& name,
@@ -104,7 +171,8 @@ Foam::functionObjects::pointStatistics::pointStatistics
             {
                 "points", "mean", "deviation", "least", "most", "empty",
                 "volume [m3]", "in", "volume in [m3]", "added", "deleted",
-                "out", "volume out [m3]"
+                "out", "volume out [m3]", "least fill", "most fill",
+                "least share", "coincident"
             }
         )
         {
@@ -153,6 +221,10 @@ bool Foam::functionObjects::pointStatistics::execute()
     const scalar deviation =
         Foam::sqrt(max(squares/cells - sqr(mean), scalar(0)));
 
+    scalar leastFill, mostFill, share;
+    volumes(leastFill, mostFill, share);
+    const label together = coincident();
+
     const pointAccount& books = cloud().account();
 
     if (Pstream::master())
@@ -166,12 +238,16 @@ bool Foam::functionObjects::pointStatistics::execute()
             << token::TAB << books.nIn() << token::TAB << books.volumeIn()
             << token::TAB << books.nAdded() << token::TAB << books.nDeleted()
             << token::TAB << books.nOut() << token::TAB << books.volumeOut()
+            << token::TAB << leastFill << token::TAB << mostFill
+            << token::TAB << share << token::TAB << together
             << endl;
     }
 
     Log << type() << ' ' << name() << ": " << points << " points, " << mean
         << " a cell, deviation " << deviation << ", " << least << " to "
-        << most << ", " << empty << " cells empty" << endl;
+        << most << ", " << empty << " cells empty, filled " << leastFill
+        << " to " << mostFill << ", smallest share " << share << ", "
+        << together << " at the place of another" << endl;
 
     return true;
 }

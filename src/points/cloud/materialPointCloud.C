@@ -23,8 +23,10 @@ License
 
 #include "materialPointCloud.H"
 #include "checkedEntry.H"
+#include "fvcSurfaceIntegrate.H"
 #include "materialNames.H"
 #include "ListOps.H"
+#include "syncTools.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -222,16 +224,8 @@ Foam::materialPointCloud::materialPointCloud
         << ", coupling " << coupling_->type()
         << ", average " << average_->type()
         << ", minPointsPerCell " << population_.minPointsPerCell()
-        << ", maxPointsPerCell ";
-    if (population_.maxPointsPerCell())
-    {
-        Info<< population_.maxPointsPerCell();
-    }
-    else
-    {
-        Info<< "none";
-    }
-    Info<< ", volumeCorrection " << correction_.active()
+        << ", maxPointsPerCell " << population_.maxPointsPerCell()
+        << ", volumeCorrection " << correction_.active()
         << nl << endl;
     properties_.report();
 
@@ -271,6 +265,41 @@ Foam::label Foam::materialPointCloud::findMaterial
 }
 
 
+Foam::tmp<Foam::scalarField> Foam::materialPointCloud::courant
+(
+    const scalar dt
+) const
+{
+    tmp<scalarField> tcourant(new scalarField(mesh_.nCells()));
+    scalarField& courant = tcourant.ref();
+    courant =
+        0.5*dt/mesh_.V()
+       *fvc::surfaceSum(mag(coupling_->phi()))().primitiveField();
+
+    // Points ahead of smaller cells cross those as well
+    const scalarField own(courant);
+    scalarList beyond;
+    syncTools::swapBoundaryCellList(mesh_, own, beyond);
+    const label nInternal = mesh_.nInternalFaces();
+    forAll(mesh_.faceOwner(), facei)
+    {
+        const label P = mesh_.faceOwner()[facei];
+        if (facei < nInternal)
+        {
+            const label N = mesh_.faceNeighbour()[facei];
+            courant[P] = max(courant[P], own[N]);
+            courant[N] = max(courant[N], own[P]);
+        }
+        else
+        {
+            courant[P] = max(courant[P], beyond[facei - nInternal]);
+        }
+    }
+
+    return tcourant;
+}
+
+
 Foam::materialPoint::trackingData Foam::materialPointCloud::track
 (
     const scalar dt
@@ -284,7 +313,10 @@ Foam::materialPoint::trackingData Foam::materialPointCloud::track
     }
 
     const openFaces open(coupling_->U(), coupling_->phi());
-    materialPoint::trackingData td(*this, *velocity_, *integration_, open, dt);
+    materialPoint::trackingData td
+    (
+        *this, *velocity_, *integration_, open, dt, courant(dt)
+    );
 
     properties_.update(*this, 0.5*dt);
     Cloud<materialPoint>::move(*this, td, dt);
@@ -310,7 +342,7 @@ void Foam::materialPointCloud::predict
     takeFlow(dt);
     track(0.5*dt);
     census_.take(*this);
-    population_.refill(*this);
+    population_.mend(*this, census_);
     average(fractions);
 
     this->clear();
@@ -334,16 +366,12 @@ void Foam::materialPointCloud::move(const scalar dt)
     );
 
     census_.take(*this);
-    const label nAdded = population_.refill(*this);
-    const label nDeleted = population_.thin(*this);
-    if (nAdded || nDeleted)
-    {
-        census_.take(*this);
-    }
+    const labelPair changed(population_.mend(*this, census_));
 
     account_.close
     (
-        *this, nIn, volumeIn, nAdded, nDeleted, td.nOut, td.volumeOut
+        *this, nIn, volumeIn, changed.first(), changed.second(), td.nOut,
+        td.volumeOut
     );
     account_.compare(*this, inflow_.waiting());
 }

@@ -37,6 +37,21 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::materialPoint::startPart(const scalar begin, const scalar courant)
+{
+    // More than a cell of a flow that turns within cells, as at corners, is
+    // too far: points gather there
+    const scalar most = 1;
+    const scalar left = 1 - begin;
+
+    begin_ = begin;
+    part_ = left/max(std::ceil(left*courant/most), scalar(1));
+    stage_ = -1;
+    travelled_ = Zero;
+    sum_ = Zero;
+}
+
+
 void Foam::materialPoint::lost(const string& why) const
 {
     FatalErrorInFunction
@@ -106,10 +121,8 @@ Foam::scalarList Foam::materialPoint::handsOn() const
 
 void Foam::materialPoint::startStep()
 {
-    stage_ = -1;
+    startPart(0, 0);
     displacement_ = Zero;
-    travelled_ = Zero;
-    sum_ = Zero;
     nTracks_ = 0;
 }
 
@@ -132,15 +145,23 @@ bool Foam::materialPoint::move
 
     while (td.keepParticle && !td.switchProcessor && stepFraction() < 1)
     {
-        const scalar stageEnd = scalar(stage_ + 1)/n;
+        const scalar stageEnd = begin_ + part_*scalar(stage_ + 1)/n;
 
         // Sums of parts of the step miss its end by rounding
         if (stage_ < 0 || stepFraction() > stageEnd - 1e-10)
         {
             if (stage_ == n - 1)
             {
-                stepFraction() = 1;
-                break;
+                if (stageEnd > 1 - 1e-10)
+                {
+                    stepFraction() = 1;
+                    break;
+                }
+                startPart(stageEnd, td.courant[cell()]);
+            }
+            else if (stage_ < 0)
+            {
+                startPart(begin_, td.courant[cell()]);
             }
 
             // At the end of a stage: velocity here, way to the next one
@@ -154,7 +175,7 @@ bool Foam::materialPoint::move
             ++stage_;
             sum_ += scheme.b(stage_)*U;
             displacement_ =
-                td.dt*(stage_ < n - 1 ? scheme.a(stage_)*U : sum_)
+                part_*td.dt*(stage_ < n - 1 ? scheme.a(stage_)*U : sum_)
               - travelled_;
 
             if (!std::isfinite(mag(displacement_)))
@@ -176,8 +197,8 @@ bool Foam::materialPoint::move
         const vector way(displacement_);
 
         // Tracking lets the point leave the mid-plane by rounding
-        trackToFace(n*rest*way - deviationFromMeshCentre(), rest);
-        travelled_ += n*(stepFraction() - before)*way;
+        trackToFace(n*rest/part_*way - deviationFromMeshCentre(), rest);
+        travelled_ += n*(stepFraction() - before)/part_*way;
         hitFace(way, cloud, td);
 
         if (++nTracks_ > maxTracks)

@@ -57,8 +57,8 @@ Foam::materialPoint::materialPoint
     {
         if (is.format() == IOstream::ASCII)
         {
-            is  >> material_ >> dye_ >> volume_ >> stage_
-                >> nTracks_ >> displacement_ >> travelled_ >> sum_;
+            is  >> material_ >> dye_ >> volume_ >> stage_ >> nTracks_
+                >> part_ >> begin_ >> displacement_ >> travelled_ >> sum_;
         }
         else
         {
@@ -171,6 +171,8 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const materialPoint& p)
             << token::SPACE << p.volume_
             << token::SPACE << p.stage_
             << token::SPACE << p.nTracks_
+            << token::SPACE << p.part_
+            << token::SPACE << p.begin_
             << token::SPACE << p.displacement_
             << token::SPACE << p.travelled_
             << token::SPACE << p.sum_

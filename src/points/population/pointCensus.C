@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointCensus.H"
+#include "cellPoints.H"
 #include "materialPointCloud.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -36,19 +37,53 @@ Foam::pointCensus::pointCensus()
 
 void Foam::pointCensus::take(const materialPointCloud& cloud)
 {
-    count_.setSize(cloud.pMesh().nCells());
+    const label nCells = cloud.pMesh().nCells();
+    count_.setSize(nCells);
     count_ = 0;
+    filled_.setSize(nCells);
+    filled_ = 0;
+    least_.setSize(nCells);
+    least_ = GREAT;
+    most_.setSize(nCells);
+    most_ = 0;
     volume_.setSize(cloud.materials().size());
     volume_ = 0;
 
     for (const materialPoint& p : cloud)
     {
-        ++count_[p.cell()];
-        volume_[p.material()] += p.volume();
+        const label celli = p.cell();
+        const scalar V = p.volume();
+
+        ++count_[celli];
+        filled_[celli] += V;
+        least_[celli] = min(least_[celli], V);
+        most_[celli] = max(most_[celli], V);
+        volume_[p.material()] += V;
     }
 
     nPoints_ = cloud.nPoints();
     reduce(volume_, sumOp<scalarField>());
+}
+
+
+void Foam::pointCensus::update(const cellPoints& points)
+{
+    forAllConstIters(points.asked(), iter)
+    {
+        const label celli = iter.key();
+        count_[celli] = iter().size();
+        filled_[celli] = 0;
+        least_[celli] = GREAT;
+        most_[celli] = 0;
+
+        for (const materialPoint* p : iter())
+        {
+            const scalar V = p->volume();
+            filled_[celli] += V;
+            least_[celli] = min(least_[celli], V);
+            most_[celli] = max(most_[celli], V);
+        }
+    }
 }
 
 

@@ -22,241 +22,126 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pointPopulation.H"
-#include "bitSet.H"
-#include "coupledPolyPatch.H"
+#include "cellPoints.H"
 #include "materialPointCloud.H"
-#include "syncTools.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-    //- Rotate what came through a coupled face, as points that cross it are
-    static void turn(materialPoint& p, const polyMesh& mesh, const label facei)
-    {
-        const polyBoundaryMesh& patches = mesh.boundaryMesh();
-        const coupledPolyPatch& pp =
-            refCast<const coupledPolyPatch>(patches[patches.whichPatch(facei)]);
+    //- Share of the mean volume of the points of a cell below which one is
+    //- merged: three times what is promised
+    static const scalar tinyShare = 0.03;
 
-        if (!pp.parallel())
-        {
-            const tensorField& T = pp.forwardT();
-            p.transformProperties(T[T.size() == 1 ? 0 : pp.whichFace(facei)]);
-        }
-    }
+    //- By this much more than the largest volume points are not yet split:
+    //- those of the start may be as large, but for rounding
+    static const scalar margin = 1 + 1e-6;
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalarList Foam::pointPopulation::halve
-(
-    const materialPointCloud& cloud,
-    materialPoint& p
-)
+bool Foam::pointPopulation::compressible(const fvMesh& mesh)
 {
-    p.volume() *= 0.5;
-    cloud.properties().split(p);
+    const volScalarField* invB = mesh.findObject<volScalarField>("invB");
 
-    return p.handsOn();
+    return invB && gMax(invB->primitiveField()) > 0;
 }
 
 
-Foam::materialPoint* Foam::pointPopulation::split
-(
-    materialPointCloud& cloud,
-    materialPoint& p,
-    const point& position,
-    const label celli
-) const
+Foam::label Foam::pointPopulation::splitLarge(cellPoints& points) const
 {
-    materialPoint* added = new materialPoint
-    (
-        mesh_, position, celli, halve(cloud, p)
-    );
-    cloud.addParticle(added);
+    materialPointCloud& cloud = points.cloud();
+    const scalarField& most = cloud.census().most();
 
-    return added;
-}
-
-
-void Foam::pointPopulation::fillAcross
-(
-    materialPointCloud& cloud,
-    const labelList& before,
-    labelList& count,
-    label& nAdded
-) const
-{
-    // Cells that need a point, asked of those behind coupled faces
-    bool any = false;
-    for (const label n : count)
+    DynamicList<materialPoint*> large;
+    forAll(most, celli)
     {
-        any = any || n == 0;
-    }
-    if (!returnReduce(any, orOp<bool>()))
-    {
-        return;
-    }
-
-    const label nBoundary = mesh_.nFaces() - mesh_.nInternalFaces();
-    const label first = mesh_.nInternalFaces();
-    labelList otherCount;
-    syncTools::swapBoundaryCellList(mesh_, before, otherCount);
-
-    // One face asks for each empty cell
-    labelList asked(nBoundary, Zero);
-    labelList faceOf(mesh_.nCells(), -1);
-    forAll(count, celli)
-    {
-        if (count[celli] > 0)
+        if (most[celli] > margin*largest_[celli])
         {
-            continue;
+            large.append(points[celli]);
         }
-        for (const label facei : mesh_.cells()[celli])
+    }
+
+    // Those added are looked at too, in the cells where they are
+    label nAdded = 0;
+    for (label i = 0; i < large.size(); ++i)
+    {
+        materialPoint& p = *large[i];
+        while (p.volume() > margin*largest_[p.cell()])
         {
-            if
-            (
-                facei >= first
-             && mesh_.boundaryMesh()
-                [
-                    mesh_.boundaryMesh().whichPatch(facei)
-                ].coupled()
-             && otherCount[facei - first] > 0
-            )
+            const label celli = p.cell();
+            materialPoint* added = splitting_.spread(cloud, p);
+            large.append(added);
+            points[added->cell()].append(added);
+            if (p.cell() != celli)
             {
-                faceOf[celli] = facei;
-                asked[facei - first] = 1;
-                break;
+                points.remove(celli, &p);
+                points[p.cell()].append(&p);
             }
-        }
-        if (faceOf[celli] < 0)
-        {
-            FatalErrorInFunction
-                << "Cell " << celli << " at " << mesh_.cellCentres()[celli]
-                << " has no material point and its neighbours have none"
-                << " either, time " << mesh_.time().timeName() << nl
-                << "    Cures: more pointsPerCell or minPointsPerCell, a"
-                << " smaller maxCo" << exit(FatalError);
-        }
-    }
-
-    syncTools::swapBoundaryFaceList(mesh_, asked);
-
-    bitSet giving(mesh_.nCells());
-    forAll(asked, b)
-    {
-        if (asked[b])
-        {
-            giving.set(mesh_.faceOwner()[first + b]);
-        }
-    }
-    Map<DynamicList<materialPoint*>> points;
-    if (giving.any())
-    {
-        for (materialPoint& p : cloud)
-        {
-            if (giving[p.cell()])
-            {
-                points(p.cell()).append(&p);
-            }
-        }
-    }
-
-    // Their largest points give half of their volume
-    List<scalarList> numbers
-    (
-        materialPoint::nOwnNumbers + cloud.properties().nValues(),
-        scalarList(nBoundary, Zero)
-    );
-    forAll(asked, b)
-    {
-        // Also the faces of this side that ask have no point to give
-        const label celli = mesh_.faceOwner()[first + b];
-        if (!asked[b] || before[celli] == 0)
-        {
-            continue;
-        }
-        materialPoint* largest = nullptr;
-        for (materialPoint* p : points(celli))
-        {
-            if (!largest || p->volume() > largest->volume())
-            {
-                largest = p;
-            }
-        }
-        const scalarList given(halve(cloud, *largest));
-        forAll(given, k)
-        {
-            numbers[k][b] = given[k];
-        }
-    }
-
-    for (scalarList& each : numbers)
-    {
-        syncTools::swapBoundaryFaceList(mesh_, each);
-    }
-
-    forAll(faceOf, celli)
-    {
-        if (faceOf[celli] >= 0)
-        {
-            const label facei = faceOf[celli];
-            scalarList given(numbers.size());
-            forAll(given, k)
-            {
-                given[k] = numbers[k][facei - first];
-            }
-
-            materialPoint* added = new materialPoint
-            (
-                mesh_, mesh_.cellCentres()[celli], celli, given
-            );
-            turn(*added, mesh_, facei);
-            cloud.addParticle(added);
-            ++count[celli];
             ++nAdded;
         }
     }
+
+    return nAdded;
 }
 
 
-Foam::materialPoint* Foam::pointPopulation::dense
-(
-    const UList<materialPoint*>& points
-)
+Foam::label Foam::pointPopulation::mergeMany(cellPoints& points) const
 {
-    materialPoint* smaller = nullptr;
+    // Of before: merging makes cells around a tiny point no tinier
+    const pointCensus& census = points.cloud().census();
+    label nDeleted = 0;
 
-    for (const bool sameDye : {true, false})
+    forAll(census.count(), celli)
     {
-        scalar nearest = GREAT;
-        forAll(points, i)
+        const label n = census.count()[celli];
+        if (census.least()[celli]*n < tinyShare*census.filled()[celli])
         {
-            for (label j = 0; j < i; ++j)
-            {
-                materialPoint& a = *points[i];
-                materialPoint& b = *points[j];
-                const scalar distance = magSqr(a.position() - b.position());
-                if
-                (
-                    a.material() == b.material()
-                 && (!sameDye || a.dye() == b.dye())
-                 && distance < nearest
-                )
-                {
-                    nearest = distance;
-                    smaller = a.volume() < b.volume() ? &a : &b;
-                }
-            }
+            nDeleted += merging_.sweep(points, celli, tinyShare);
         }
-        if (smaller)
+        if (n > maxPointsPerCell_)
         {
-            break;
+            // Up to what will not be split again, where that is enough
+            for (const scalar times : {1, 2})
+            {
+                nDeleted += merging_.thin
+                (
+                    points, celli, maxPointsPerCell_, times*largest_[celli]
+                );
+            }
         }
     }
 
-    return smaller;
+    return nDeleted;
+}
+
+
+Foam::label Foam::pointPopulation::splitFew(cellPoints& points) const
+{
+    const labelList& count = points.cloud().census().count();
+    label nAdded = 0;
+
+    forAll(count, celli)
+    {
+        if (count[celli] >= minPointsPerCell_)
+        {
+            continue;
+        }
+        DynamicList<materialPoint*>& here = points[celli];
+        while (here.size() && here.size() < minPointsPerCell_)
+        {
+            materialPoint* largest = here[0];
+            for (materialPoint* p : here)
+            {
+                largest = p->volume() > largest->volume() ? p : largest;
+            }
+            here.append(splitting_.split(points.cloud(), *largest, here));
+            ++nAdded;
+        }
+    }
+
+    return nAdded;
 }
 
 
@@ -269,12 +154,18 @@ Foam::pointPopulation::pointPopulation
     const label pointsPerCell
 )
 :
-    mesh_(mesh),
+    surroundings_(mesh),
     minPointsPerCell_
     (
         dict.getOrDefault<label>("minPointsPerCell", pointsPerCell/4)
     ),
-    maxPointsPerCell_(dict.getOrDefault<label>("maxPointsPerCell", 0))
+    maxPointsPerCell_
+    (
+        dict.getOrDefault<label>("maxPointsPerCell", 2*pointsPerCell)
+    ),
+    splitting_(surroundings_),
+    merging_(surroundings_),
+    balance_(surroundings_)
 {
     if (minPointsPerCell_ < 0 || minPointsPerCell_ > pointsPerCell)
     {
@@ -285,206 +176,59 @@ Foam::pointPopulation::pointPopulation
     }
 
     const label least = max(minPointsPerCell_, label(1));
-    if (dict.found("maxPointsPerCell") && maxPointsPerCell_ < least)
+    if (maxPointsPerCell_ < least)
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'maxPointsPerCell' is " << maxPointsPerCell_ << nl
             << "    Allowed: minPointsPerCell, " << least
-            << ", or more; no entry: none are deleted" << exit(FatalIOError);
+            << ", or more" << exit(FatalIOError);
+    }
+
+    if (minPointsPerCell_)
+    {
+        largest_ = surroundings_.smallestAround()/scalar(minPointsPerCell_);
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::pointPopulation::refill(materialPointCloud& cloud) const
+Foam::labelPair Foam::pointPopulation::mend
+(
+    materialPointCloud& cloud,
+    pointCensus& census
+) const
 {
+    labelPair changed(0, 0);
     if (minPointsPerCell_ == 0)
     {
-        return 0;
+        return changed;
     }
 
-    const labelList& before = cloud.census().count();
-    labelList count(before);
-
-    // The points of cells that are low and of the neighbours of empty ones
-    bitSet low(mesh_.nCells());
-    bool any = false;
-    forAll(count, celli)
+    cellPoints points(cloud);
+    const auto note = [&](label& sum, const label n)
     {
-        if (count[celli] < minPointsPerCell_)
+        sum += n;
+        if (n)
         {
-            low.set(celli);
-            any = true;
-            if (count[celli] == 0)
-            {
-                for (const label other : mesh_.cellCells()[celli])
-                {
-                    low.set(other);
-                }
-            }
+            census.update(points);
         }
-    }
+    };
 
-    label nAdded = 0;
-    Map<DynamicList<materialPoint*>> points;
+    note(changed.first(), splitLarge(points));
+    note
+    (
+        changed.first(),
+        balance_.apply(points, compressible(surroundings_.mesh()))
+    );
+    note(changed.second(), mergeMany(points));
+    note(changed.first(), splitFew(points));
 
-    if (any)
-    {
-        for (materialPoint& p : cloud)
-        {
-            if (low[p.cell()])
-            {
-                points(p.cell()).append(&p);
-            }
-        }
+    reduce(changed.first(), sumOp<label>());
+    reduce(changed.second(), sumOp<label>());
+    census.changeBy(changed.first() - changed.second());
 
-        forAll(count, celli)
-        {
-            if (count[celli] == 0)
-            {
-                const point& centre = mesh_.cellCentres()[celli];
-                materialPoint* nearest = nullptr;
-
-                for (const label other : mesh_.cellCells()[celli])
-                {
-                    if (before[other] == 0)
-                    {
-                        continue;
-                    }
-                    for (materialPoint* p : points(other))
-                    {
-                        if
-                        (
-                            !nearest
-                         || magSqr(p->position() - centre)
-                          < magSqr(nearest->position() - centre)
-                        )
-                        {
-                            nearest = p;
-                        }
-                    }
-                }
-
-                if (nearest)
-                {
-                    points(celli).append
-                    (
-                        split(cloud, *nearest, centre, celli)
-                    );
-                    ++count[celli];
-                    ++nAdded;
-                }
-            }
-        }
-    }
-
-    fillAcross(cloud, before, count, nAdded);
-
-    if (any)
-    {
-        forAll(count, celli)
-        {
-            while (low[celli] && count[celli] < minPointsPerCell_)
-            {
-                materialPoint* largest = nullptr;
-                for (materialPoint* p : points(celli))
-                {
-                    if (!largest || p->volume() > largest->volume())
-                    {
-                        largest = p;
-                    }
-                }
-
-                // One filled across is split further in the next step
-                if (!largest)
-                {
-                    break;
-                }
-
-                // A tenth of the way to the centre: inside a convex cell
-                const point position
-                (
-                    0.9*largest->position()
-                  + 0.1*mesh_.cellCentres()[celli]
-                );
-                points(celli).append
-                (
-                    split(cloud, *largest, position, celli)
-                );
-                ++count[celli];
-                ++nAdded;
-            }
-        }
-    }
-
-    return returnReduce(nAdded, sumOp<label>());
-}
-
-
-Foam::label Foam::pointPopulation::thin(materialPointCloud& cloud) const
-{
-    if (maxPointsPerCell_ == 0)
-    {
-        return 0;
-    }
-
-    // Cells that were filled have no more than the minimum
-    const labelList& count = cloud.census().count();
-    Map<DynamicList<materialPoint*>> points;
-
-    if (max(count) > maxPointsPerCell_)
-    {
-        for (materialPoint& p : cloud)
-        {
-            if (count[p.cell()] > maxPointsPerCell_)
-            {
-                points(p.cell()).append(&p);
-            }
-        }
-    }
-
-    label nDeleted = 0;
-    forAllIters(points, iter)
-    {
-        DynamicList<materialPoint*>& here = *iter;
-
-        while (here.size() > maxPointsPerCell_)
-        {
-            materialPoint* gone = dense(here);
-            if (!gone)
-            {
-                break;
-            }
-
-            DynamicList<materialPoint*> rest;
-            scalar volume = 0;
-            for (materialPoint* p : here)
-            {
-                if (p != gone)
-                {
-                    rest.append(p);
-                    volume +=
-                        p->material() == gone->material() ? p->volume() : 0;
-                }
-            }
-            const scalar growth = 1 + gone->volume()/volume;
-            for (materialPoint* p : rest)
-            {
-                if (p->material() == gone->material())
-                {
-                    p->volume() *= growth;
-                    cloud.properties().merge(*p, *gone, 1 - 1/growth);
-                }
-            }
-
-            here.transfer(rest);
-            cloud.deleteParticle(*gone);
-            ++nDeleted;
-        }
-    }
-
-    return returnReduce(nDeleted, sumOp<label>());
+    return changed;
 }
 
 

@@ -30,9 +30,10 @@ License
 
 Foam::pointField Foam::pointSeeding::places
 (
-    const UList<point>& corners
+    const pointField& allCorners
 ) const
 {
+    const pointField corners(allCorners, planarCells::turns(allCorners));
     const label n = pointsPerCell_;
     pointField places(n);
     const label k = label(std::lround(std::sqrt(scalar(n))));
@@ -51,30 +52,11 @@ Foam::pointField Foam::pointSeeding::places
         return places;
     }
 
-    point lower(corners[0]), upper(corners[0]);
-    for (const point& corner : corners)
-    {
-        lower = min(lower, corner);
-        upper = max(upper, corner);
-    }
-
-    // Additive recurrence with the plastic number: the inverses of its powers
-    // fill a square evenly
-    const scalar plastic = 1.32471795724474602596;
-    const vector size(upper - lower);
     const labelPair axes(planarCells::axes(mesh_));
-    const direction i0 = axes.first(), i1 = axes.second();
-
-    for (label i = 0, trial = 1; i < n; ++trial)
+    label trial = 0;
+    for (point& p : places)
     {
-        point p(lower);
-        p[i0] += size[i0]*std::fmod(0.5 + trial/plastic, 1);
-        p[i1] += size[i1]*std::fmod(0.5 + trial/sqr(plastic), 1);
-
-        if (planarCells::contains(axes, corners, p))
-        {
-            places[i++] = p;
-        }
+        p = planarCells::spread(axes, corners, trial);
     }
 
     return places;

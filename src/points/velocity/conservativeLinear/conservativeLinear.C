@@ -57,16 +57,15 @@ Foam::pointVelocities::conservativeLinear::conservativeLinear
 
 void Foam::pointVelocities::conservativeLinear::update()
 {
-    faceFlux::update();
+    takeFluxes();
 
     const fvMesh& mesh = U_.mesh();
-    const surfaceTensorField grad
+    const tmp<volTensorField> tgradU
     (
-        linearInterpolate
-        (
-            fv::leastSquaresGrad<vector>(mesh).calcGrad(U_, "gradU")()
-        )
+        fv::leastSquaresGrad<vector>(mesh).calcGrad(U_, "gradU")
     );
+    const tensorField& gradU = tgradU().primitiveField();
+    const surfaceTensorField grad(linearInterpolate(tgradU()));
 
     // Along closed faces the velocity has no slope normal to them
     const openFaces passed(U_, phi_);
@@ -105,6 +104,12 @@ void Foam::pointVelocities::conservativeLinear::update()
 
             slope_[first + i] = (t & all[faces_[first + i]]) & outward;
         }
+    }
+
+    forAll(fans_, i)
+    {
+        const tensor& G = gradU[fanCells_[i]];
+        setFan(i, G[3*i0_ + i1_] - G[3*i1_ + i0_]);
     }
 }
 

@@ -24,6 +24,7 @@ License
 #include "faceFlux.H"
 #include "planarCells.H"
 #include "emptyPolyPatch.H"
+#include "meshTools.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -50,22 +51,16 @@ void Foam::pointVelocities::faceFlux::setCell
     const label n = corners.size();
     const label start = start_[celli];
 
-    if (n != 3 && n != 4)
-    {
-        FatalErrorInFunction
-            << "Cell " << celli << " at " << mesh.cellCentres()[celli]
-            << " has " << n << " edges in the plane; velocity faceFlux knows"
-            << " three and four" << nl
-            << "    Allowed here: velocity cellPoint, cell, cellPointFace, ..."
-            << " in materialPointsProperties" << exit(FatalError);
-    }
-
     auto cross = [&](const vector& a, const vector& b)
     {
         return a[i0_]*b[i1_] - a[i1_]*b[i0_];
     };
-    const bool clockwise =
-        cross(corners[1] - corners[0], corners[2] - corners[0]) < 0;
+    scalar area = 0;
+    for (label i = 2; i < n; ++i)
+    {
+        area += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
+    }
+    const bool clockwise = area < 0;
 
     for (label i = 0; i < n; ++i)
     {
@@ -106,6 +101,37 @@ void Foam::pointVelocities::faceFlux::setCell
                     mesh.faceOwner()[facei] == celli ? 1 : -1;
             }
         }
+    }
+}
+
+
+void Foam::pointVelocities::faceFlux::makeFan(const label celli)
+{
+    const label start = start_[celli];
+    const label n = start_[celli + 1] - start;
+    const SubList<point> corners(corners_, n, start);
+
+    if (n == 3 || (n == 4 && planarCells::turns(corners).size() == 4))
+    {
+        return;
+    }
+
+    point centre(phi_.mesh().cellCentres()[celli]);
+    meshTools::constrainToMeshCentre(phi_.mesh(), centre);
+
+    fan_[celli] = fans_.size();
+    fanCells_.append(celli);
+    fans_.append(new fluxFan(labelPair(i0_, i1_), centre, corners));
+
+    // Below this its numbers would be rounding
+    if (fans_[fan_[celli]].flatness() < 1e-6)
+    {
+        FatalErrorInFunction
+            << "Cell " << celli << " at " << centre << " has the corners "
+            << corners << ", and its centre does not see all edges" << nl
+            << "    Allowed: convex cells, also with hanging nodes, or here"
+            << " velocity cellPoint, cell, cellPointFace, ... in"
+            << " materialPointsProperties" << exit(FatalError);
     }
 }
 
@@ -193,49 +219,9 @@ Foam::vector Foam::pointVelocities::faceFlux::inQuadrilateral
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
 
-Foam::pointVelocities::faceFlux::faceFlux
-(
-    const dictionary& dict,
-    const volVectorField& U,
-    const surfaceScalarField& phi
-)
-:
-    phi_(phi),
-    start_(U.size() + 1, Zero)
-{
-    const fvMesh& mesh = U.mesh();
-    const labelPair axes(planarCells::axes(mesh));
-    i0_ = axes.first();
-    i1_ = axes.second();
-    depth_ = mesh.bounds().span()[3 - i0_ - i1_];
-
-    const planarCells cells(mesh);
-    List<pointField> corners(mesh.nCells());
-    forAll(corners, celli)
-    {
-        corners[celli] = cells.corners(celli);
-        start_[celli + 1] = start_[celli] + corners[celli].size();
-    }
-
-    const label n = start_.last();
-    corners_.setSize(n);
-    faces_.setSize(n);
-    sign_.setSize(n);
-    flux_.setSize(n, Zero);
-    slope_.setSize(n, Zero);
-
-    forAll(corners, celli)
-    {
-        setCell(celli, corners[celli]);
-    }
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::pointVelocities::faceFlux::update()
+void Foam::pointVelocities::faceFlux::takeFluxes()
 {
     const fvMesh& mesh = phi_.mesh();
     scalarField all(mesh.nFaces(), Zero);
@@ -258,9 +244,87 @@ void Foam::pointVelocities::faceFlux::update()
 }
 
 
+void Foam::pointVelocities::faceFlux::setFan
+(
+    const label i,
+    const scalar vorticity
+)
+{
+    const label start = start_[fanCells_[i]];
+    const label n = start_[fanCells_[i] + 1] - start;
+
+    fans_[i].set
+    (
+        SubList<scalar>(flux_, n, start),
+        SubList<scalar>(slope_, n, start),
+        vorticity
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::pointVelocities::faceFlux::faceFlux
+(
+    const dictionary& dict,
+    const volVectorField& U,
+    const surfaceScalarField& phi
+)
+:
+    phi_(phi),
+    start_(U.size() + 1, Zero)
+{
+    const fvMesh& mesh = U.mesh();
+    const labelPair axes(planarCells::axes(mesh));
+    i0_ = axes.first();
+    i1_ = axes.second();
+    depth_ = mesh.bounds().span()[3 - i0_ - i1_];
+    fan_.setSize(mesh.nCells(), -1);
+
+    const planarCells cells(mesh);
+    List<pointField> corners(mesh.nCells());
+    forAll(corners, celli)
+    {
+        corners[celli] = cells.corners(celli);
+        start_[celli + 1] = start_[celli] + corners[celli].size();
+    }
+
+    const label n = start_.last();
+    corners_.setSize(n);
+    faces_.setSize(n);
+    sign_.setSize(n);
+    flux_.setSize(n, Zero);
+    slope_.setSize(n, Zero);
+
+    forAll(corners, celli)
+    {
+        setCell(celli, corners[celli]);
+        makeFan(celli);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::pointVelocities::faceFlux::update()
+{
+    takeFluxes();
+
+    forAll(fans_, i)
+    {
+        setFan(i, 0);
+    }
+}
+
+
 Foam::vector Foam::pointVelocities::faceFlux::value(const particle& p) const
 {
     const label celli = p.cell();
+
+    if (fan_[celli] >= 0)
+    {
+        return fans_[fan_[celli]].value(p.position());
+    }
 
     return
         start_[celli + 1] - start_[celli] == 3

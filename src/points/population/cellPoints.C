@@ -1,0 +1,91 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cellPoints.H"
+#include "materialPointCloud.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::cellPoints::sort()
+{
+    const labelList& count = cloud_.census().count();
+    start_.setSize(count.size() + 1);
+    start_[0] = 0;
+    forAll(count, celli)
+    {
+        start_[celli + 1] = start_[celli] + count[celli];
+    }
+
+    sorted_.setSize(start_.last());
+    labelList next(start_);
+    for (materialPoint& p : cloud_)
+    {
+        sorted_[next[p.cell()]++] = &p;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::DynamicList<Foam::materialPoint*>& Foam::cellPoints::operator[]
+(
+    const label celli
+)
+{
+    if (start_.empty())
+    {
+        sort();
+    }
+
+    auto iter = asked_.find(celli);
+    if (iter.found())
+    {
+        return *iter;
+    }
+
+    DynamicList<materialPoint*>& here = asked_(celli);
+    here = SubList<materialPoint*>
+    (
+        sorted_, start_[celli + 1] - start_[celli], start_[celli]
+    );
+
+    return here;
+}
+
+
+void Foam::cellPoints::remove(const label celli, const materialPoint* p)
+{
+    DynamicList<materialPoint*>& here = operator[](celli);
+    label n = 0;
+    for (materialPoint* each : here)
+    {
+        if (each != p)
+        {
+            here[n++] = each;
+        }
+    }
+    here.setSize(n);
+}
+
+
+// ************************************************************************* //

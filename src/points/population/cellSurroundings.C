@@ -1,0 +1,156 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cellSurroundings.H"
+#include "coupledPolyPatch.H"
+#include "emptyPolyPatch.H"
+#include "meshTools.H"
+#include "syncTools.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::cellSurroundings::cellSurroundings(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    cells_(mesh),
+    axes_(planarCells::axes(mesh)),
+    front_(mesh.nCells(), -1),
+    excluded_(mesh.nPoints(), true)
+{
+    const direction normal = 3 - axes_.first() - axes_.second();
+    const scalar middle = mesh.bounds().midpoint()[normal];
+    depth_ = mesh.bounds().span()[normal];
+
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<emptyPolyPatch>(pp))
+        {
+            forAll(pp, i)
+            {
+                if (pp.faceCentres()[i][normal] > middle)
+                {
+                    front_[pp.faceCells()[i]] = pp.start() + i;
+                    excluded_.unset(pp[i]);
+                }
+            }
+        }
+    }
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if
+        (
+            isA<coupledPolyPatch>(pp)
+         && !refCast<const coupledPolyPatch>(pp).parallel()
+        )
+        {
+            excluded_.set(pp.meshPoints());
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::scalarField> Foam::cellSurroundings::smallestAround() const
+{
+    const scalarField& V = mesh_.V();
+
+    scalarField atPoints(mesh_.nPoints(), GREAT);
+    forAll(V, celli)
+    {
+        for (const label pointi : corners(celli))
+        {
+            atPoints[pointi] = min(atPoints[pointi], V[celli]);
+        }
+    }
+    syncTools::syncPointList(mesh_, atPoints, minEqOp<scalar>(), GREAT);
+
+    tmp<scalarField> tsmallest(new scalarField(V));
+    scalarField& smallest = tsmallest.ref();
+    forAll(V, celli)
+    {
+        for (const label pointi : corners(celli))
+        {
+            smallest[celli] = min(smallest[celli], atPoints[pointi]);
+        }
+    }
+
+    return tsmallest;
+}
+
+
+Foam::vector Foam::cellSurroundings::inPlane
+(
+    const scalar length,
+    const scalar angle
+) const
+{
+    vector way(Zero);
+    way[axes_.first()] = length*Foam::cos(angle);
+    way[axes_.second()] = length*Foam::sin(angle);
+
+    return way;
+}
+
+
+bool Foam::cellSurroundings::contains(const label celli, const point& p) const
+{
+    return planarCells::contains(axes_, cells_.corners(celli), p);
+}
+
+
+Foam::point Foam::cellSurroundings::place
+(
+    const label celli,
+    const UList<point>& others
+) const
+{
+    const pointField polygon(cells_.corners(celli));
+    const label nTrials = 4;
+
+    point best(mesh_.cellCentres()[celli]);
+    scalar farthest = -1;
+
+    label trial = others.size();
+    for (label i = 0; i < nTrials; ++i)
+    {
+        const point p(planarCells::spread(axes_, polygon, trial));
+
+        scalar nearest = GREAT;
+        for (const point& other : others)
+        {
+            nearest = min(nearest, magSqr(other - p));
+        }
+        if (nearest > farthest)
+        {
+            farthest = nearest;
+            best = p;
+        }
+    }
+
+    return best;
+}
+
+
+// ************************************************************************* //

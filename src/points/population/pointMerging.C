@@ -1,0 +1,242 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointMerging.H"
+#include "cellPoints.H"
+#include "materialPointCloud.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    static bool sameKind(const materialPoint& a, const materialPoint& b)
+    {
+        return a.material() == b.material() && a.dye() == b.dye();
+    }
+
+    //- What the second moment of two points loses where they are merged
+    static scalar spread(const materialPoint& a, const materialPoint& b)
+    {
+        return
+            a.volume()*b.volume()/(a.volume() + b.volume())
+           *magSqr(a.position() - b.position());
+    }
+
+    //- Of other points the one to merge with: by least spread, of the same
+    //- kind, or of the same material only; null: none
+    static materialPoint* partner
+    (
+        const materialPoint& p,
+        const UList<materialPoint*>& others,
+        const bool anyDye
+    )
+    {
+        materialPoint* best = nullptr;
+        scalar least = GREAT;
+        for (materialPoint* other : others)
+        {
+            if
+            (
+                other != &p
+             && (
+                    anyDye
+                  ? other->material() == p.material()
+                  : sameKind(*other, p)
+                )
+            )
+            {
+                const scalar s = spread(p, *other);
+                if (s < least)
+                {
+                    least = s;
+                    best = other;
+                }
+            }
+        }
+
+        return best;
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::pointMerging::merge
+(
+    materialPointCloud& cloud,
+    materialPoint& stays,
+    materialPoint& goes,
+    const bool moves
+) const
+{
+    const scalar part = goes.volume()/(stays.volume() + goes.volume());
+    if (moves)
+    {
+        stays.trackToFace(part*(goes.position() - stays.position()), 0);
+    }
+    cloud.properties().merge(stays, goes, part);
+    stays.volume() += goes.volume();
+    cloud.deleteParticle(goes);
+}
+
+
+bool Foam::pointMerging::mergeClosest
+(
+    cellPoints& points,
+    const label celli,
+    const scalar largest
+) const
+{
+    const DynamicList<materialPoint*>& here = points[celli];
+    List<point> places(here.size());
+    forAll(here, i)
+    {
+        places[i] = here[i]->position();
+    }
+
+    materialPoint* stays = nullptr;
+    materialPoint* goes = nullptr;
+    scalar least = GREAT;
+    forAll(here, i)
+    {
+        for (label j = 0; j < i; ++j)
+        {
+            materialPoint& a = *here[i];
+            materialPoint& b = *here[j];
+            const scalar volume = a.volume() + b.volume();
+            const scalar lost =
+                a.volume()*b.volume()/volume*magSqr(places[i] - places[j]);
+
+            if (lost < least && volume <= largest && sameKind(a, b))
+            {
+                least = lost;
+                stays = a.volume() < b.volume() ? &b : &a;
+                goes = a.volume() < b.volume() ? &a : &b;
+            }
+        }
+    }
+    if (!goes)
+    {
+        return false;
+    }
+
+    points.remove(celli, goes);
+    merge(points.cloud(), *stays, *goes, true);
+
+    return true;
+}
+
+
+Foam::DynamicList<Foam::materialPoint*> Foam::pointMerging::pointsAround
+(
+    cellPoints& points,
+    const label celli
+) const
+{
+    labelHashSet cells;
+    for (const label pointi : surroundings_.corners(celli))
+    {
+        cells.insert(surroundings_.around(pointi));
+    }
+    cells.erase(celli);
+
+    DynamicList<materialPoint*> all;
+    for (const label around : cells.sortedToc())
+    {
+        all.append(points[around]);
+    }
+
+    return all;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::pointMerging::thin
+(
+    cellPoints& points,
+    const label celli,
+    const label most,
+    const scalar largest
+) const
+{
+    const DynamicList<materialPoint*>& here = points[celli];
+    const label before = here.size();
+    while (here.size() > most && mergeClosest(points, celli, largest))
+    {}
+
+    return before - here.size();
+}
+
+
+Foam::label Foam::pointMerging::sweep
+(
+    cellPoints& points,
+    const label celli,
+    const scalar share
+) const
+{
+    const DynamicList<materialPoint*>& here = points[celli];
+    label nMerged = 0;
+
+    while (here.size())
+    {
+        scalar volume = 0;
+        materialPoint* tiny = here[0];
+        for (materialPoint* p : here)
+        {
+            volume += p->volume();
+            tiny = p->volume() < tiny->volume() ? p : tiny;
+        }
+        if (tiny->volume() >= share*volume/here.size())
+        {
+            break;
+        }
+
+        materialPoint* other = partner(*tiny, here, false);
+        const bool moves = other;
+        if (!other)
+        {
+            const DynamicList<materialPoint*> around
+            (
+                pointsAround(points, celli)
+            );
+            other = partner(*tiny, around, false);
+            other = other ? other : partner(*tiny, here, true);
+            other = other ? other : partner(*tiny, around, true);
+        }
+        if (!other)
+        {
+            break;
+        }
+
+        points.remove(celli, tiny);
+        merge(points.cloud(), *other, *tiny, moves);
+        ++nMerged;
+    }
+
+    return nMerged;
+}
+
+
+// ************************************************************************* //

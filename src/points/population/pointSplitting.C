@@ -1,0 +1,195 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointSplitting.H"
+#include "materialPointCloud.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vector Foam::pointSplitting::way
+(
+    const materialPoint& p,
+    const UList<materialPoint*>& others
+) const
+{
+    const label celli = p.cell();
+    const point middle(p.position());
+    const label nAngles = 8, nLengths = 5;
+
+    List<point> places(others.size());
+    forAll(others, i)
+    {
+        places[i] = others[i]->position();
+    }
+
+    // The sequence of golden parts: no two splits of a cell look the same way
+    const scalar golden = 0.61803398874989485;
+    const scalar first = std::fmod(golden*others.size(), 1);
+
+    scalar length = 0.25*surroundings_.size(p.volume());
+    for (label l = 0; l < nLengths; ++l)
+    {
+        vector best(Zero);
+        scalar farthest = 0;
+
+        for (label a = 0; a < nAngles; ++a)
+        {
+            const vector d
+            (
+                surroundings_.inPlane
+                (
+                    length,
+                    constant::mathematical::pi*(a + first)/nAngles
+                )
+            );
+            if
+            (
+                !surroundings_.contains(celli, middle + d)
+             || !surroundings_.contains(celli, middle - d)
+            )
+            {
+                continue;
+            }
+
+            scalar nearest = GREAT;
+            forAll(others, i)
+            {
+                if (others[i] != &p)
+                {
+                    nearest = min(nearest, magSqr(places[i] - middle - d));
+                    nearest = min(nearest, magSqr(places[i] - middle + d));
+                }
+            }
+            if (nearest > farthest)
+            {
+                farthest = nearest;
+                best = d;
+            }
+        }
+
+        if (farthest > 0)
+        {
+            return best;
+        }
+        length *= 0.5;
+    }
+
+    return Zero;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::materialPoint* Foam::pointSplitting::spread
+(
+    materialPointCloud& cloud,
+    materialPoint& p
+) const
+{
+    const label nAngles = 4, nLengths = 4;
+
+    p.volume() *= 0.5;
+    cloud.properties().split(p);
+
+    // Directions by chance, the same for the same place
+    const scalar size = surroundings_.size(p.volume());
+    const point from(p.position());
+    const scalar golden = 0.61803398874989485;
+    scalar angle =
+        constant::mathematical::pi
+       *std::fmod(mag(golden*(from & vector(7, 11, 13))/size), 1);
+
+    scalar length = 0.3*size;
+    for (label l = 0; l < nLengths; ++l)
+    {
+        for (label a = 0; a < nAngles; ++a)
+        {
+            const vector d(surroundings_.inPlane(length, angle));
+            materialPoint plus(p), minus(p);
+            if (plus.track(d, 0) == 0 && minus.track(-d, 0) == 0)
+            {
+                p.track(-d, 0);
+                materialPoint* added = new materialPoint
+                (
+                    surroundings_.mesh(), plus.position(), plus.cell(),
+                    p.handsOn()
+                );
+                cloud.addParticle(added);
+                return added;
+            }
+            angle += constant::mathematical::pi/nAngles;
+        }
+        length *= 0.5;
+    }
+
+    // In a corner: inward
+    materialPoint* added = new materialPoint
+    (
+        surroundings_.mesh(),
+        0.75*from + 0.25*surroundings_.place(p.cell(), List<point>(1, from)),
+        p.cell(),
+        p.handsOn()
+    );
+    cloud.addParticle(added);
+
+    return added;
+}
+
+
+Foam::materialPoint* Foam::pointSplitting::split
+(
+    materialPointCloud& cloud,
+    materialPoint& p,
+    const UList<materialPoint*>& here
+) const
+{
+    const fvMesh& mesh = surroundings_.mesh();
+    const point from(p.position());
+    const vector d(way(p, here));
+
+    p.volume() *= 0.5;
+    cloud.properties().split(p);
+
+    point to(from + d);
+    if (magSqr(d) > 0)
+    {
+        p.trackToFace(-d, 0);
+    }
+    else
+    {
+        List<point> places(here.size());
+        forAll(here, i)
+        {
+            places[i] = here[i]->position();
+        }
+        to = 0.75*from + 0.25*surroundings_.place(p.cell(), places);
+    }
+
+    materialPoint* added = new materialPoint(mesh, to, p.cell(), p.handsOn());
+    cloud.addParticle(added);
+
+    return added;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,406 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "volumeBalance.H"
+#include "cellPoints.H"
+#include "materialPointCloud.H"
+#include "syncTools.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- Fills that call for a change, and the least difference of two
+    static const scalar low = 0.6, high = 1.7, differ = 0.05;
+
+    static bool anyCoupled(const polyMesh& mesh)
+    {
+        for (const polyPatch& pp : mesh.boundaryMesh())
+        {
+            if (pp.coupled())
+            {
+                return true;
+            }
+        }
+        return false;
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type, class CombineOp>
+void Foam::volumeBalance::sync
+(
+    List<Type>& values,
+    const CombineOp& op,
+    const Type& none
+) const
+{
+    if (coupled_)
+    {
+        syncTools::syncPointList(surroundings_.mesh(), values, op, none);
+    }
+}
+
+
+bool Foam::volumeBalance::gives
+(
+    const scalar lower,
+    const scalar upper,
+    const bool compressible
+)
+{
+    return
+        compressible
+      ? lower == 0 && upper > 0
+      : (lower < low || upper > high) && upper - lower > differ;
+}
+
+
+Foam::DynamicList<Foam::volumeBalance::meeting>
+Foam::volumeBalance::meetings
+(
+    const scalarField& fill,
+    const bool compressible
+) const
+{
+    const label nPoints = surroundings_.mesh().nPoints();
+
+    scalarList lower(nPoints, GREAT), upper(nPoints, -GREAT);
+    forAll(fill, celli)
+    {
+        for (const label pointi : surroundings_.corners(celli))
+        {
+            lower[pointi] = min(lower[pointi], fill[celli]);
+            upper[pointi] = max(upper[pointi], fill[celli]);
+        }
+    }
+    sync(lower, minEqOp<scalar>(), scalar(GREAT));
+    sync(upper, maxEqOp<scalar>(), scalar(-GREAT));
+
+    // Of cells of the same fill that of the lowest number
+    labelList taker(nPoints, labelMax), giver(nPoints, labelMax);
+    forAll(fill, celli)
+    {
+        const label number = numbers_.toGlobal(celli);
+        for (const label pointi : surroundings_.corners(celli))
+        {
+            if (fill[celli] == lower[pointi])
+            {
+                taker[pointi] = min(taker[pointi], number);
+            }
+            if (fill[celli] == upper[pointi])
+            {
+                giver[pointi] = min(giver[pointi], number);
+            }
+        }
+    }
+    sync(taker, minEqOp<label>(), label(labelMax));
+    sync(giver, minEqOp<label>(), label(labelMax));
+
+    DynamicList<meeting> found;
+    for (label pointi = 0; pointi < nPoints; ++pointi)
+    {
+        if
+        (
+            !surroundings_.excluded(pointi)
+         && gives(lower[pointi], upper[pointi], compressible)
+        )
+        {
+            found.append
+            (
+                meeting
+                {
+                    pointi, taker[pointi], giver[pointi], lower[pointi],
+                    upper[pointi]
+                }
+            );
+        }
+    }
+
+    return found;
+}
+
+
+Foam::label Foam::volumeBalance::local(const label number) const
+{
+    return numbers_.isLocal(number) ? numbers_.toLocal(number) : -1;
+}
+
+
+Foam::scalarList Foam::volumeBalance::give
+(
+    materialPointCloud& cloud,
+    const DynamicList<materialPoint*>& points,
+    const scalar volume,
+    const point& place
+) const
+{
+    // The nearest that has twice the volume, else the largest
+    materialPoint* giver = points[0];
+    bool enough = false;
+    scalar nearest = GREAT;
+    for (materialPoint* p : points)
+    {
+        const scalar distance = magSqr(p->position() - place);
+        if (p->volume() >= 2*volume && distance < nearest)
+        {
+            nearest = distance;
+            giver = p;
+            enough = true;
+        }
+        else if (!enough && p->volume() > giver->volume())
+        {
+            giver = p;
+        }
+    }
+
+    const scalar part = min(volume/giver->volume(), scalar(0.5));
+    scalarList numbers(giver->handsOn());
+    numbers[2] = part*giver->volume();
+    giver->volume() -= numbers[2];
+    cloud.properties().split(*giver);
+
+    const point from(giver->position());
+    const point to(from - part/(1 - part)*(place - from));
+    if (surroundings_.contains(giver->cell(), to))
+    {
+        giver->trackToFace(to - from, 0);
+    }
+
+    return numbers;
+}
+
+
+Foam::label Foam::volumeBalance::handOn
+(
+    cellPoints& points,
+    const UList<meeting>& meetings,
+    scalarField& filled
+) const
+{
+    materialPointCloud& cloud = points.cloud();
+    const fvMesh& mesh = surroundings_.mesh();
+    const scalarField& V = mesh.V();
+
+    // What is handed on by point of the mesh, and where it goes
+    const label nPoints = mesh.nPoints();
+    scalarList volume(nPoints, GREAT);
+    List<scalarList> place(3, scalarList(nPoints, Zero));
+    labelList nTaken(mesh.nCells(), Zero);
+
+    // Places of points of the takers, those to come too
+    Map<DynamicList<point>> taken;
+
+    for (const meeting& at : meetings)
+    {
+        const scalar half = 0.5*(at.high - at.low);
+        for (const label number : {at.taker, at.giver})
+        {
+            const label celli = local(number);
+            if (celli >= 0)
+            {
+                volume[at.pointi] = min
+                (
+                    volume[at.pointi],
+                    half*V[celli]/surroundings_.corners(celli).size()
+                );
+            }
+        }
+
+        const label celli = local(at.taker);
+        if (celli >= 0)
+        {
+            DynamicList<point>& others = taken(celli);
+            if (others.empty())
+            {
+                for (const materialPoint* p : points[celli])
+                {
+                    others.append(p->position());
+                }
+            }
+            const point p(surroundings_.place(celli, others));
+            others.append(p);
+            for (direction d = 0; d < 3; ++d)
+            {
+                place[d][at.pointi] = p[d];
+            }
+        }
+    }
+    sync(volume, minEqOp<scalar>(), scalar(GREAT));
+    for (scalarList& each : place)
+    {
+        sync(each, plusEqOp<scalar>(), scalar(0));
+    }
+
+    List<scalarList> numbers
+    (
+        materialPoint::nOwnNumbers + cloud.properties().nValues(),
+        scalarList(nPoints, Zero)
+    );
+    for (const meeting& at : meetings)
+    {
+        const label celli = local(at.giver);
+        if (celli >= 0)
+        {
+            const label pointi = at.pointi;
+            const scalarList given
+            (
+                give
+                (
+                    cloud,
+                    points[celli],
+                    volume[pointi],
+                    point(place[0][pointi], place[1][pointi], place[2][pointi])
+                )
+            );
+            forAll(given, k)
+            {
+                numbers[k][pointi] = given[k];
+            }
+            filled[celli] -= given[2];
+        }
+    }
+    for (scalarList& each : numbers)
+    {
+        sync(each, plusEqOp<scalar>(), scalar(0));
+    }
+
+    label nAdded = 0;
+    for (const meeting& at : meetings)
+    {
+        const label celli = local(at.taker);
+        if (celli >= 0)
+        {
+            const label pointi = at.pointi;
+            scalarList handed(numbers.size());
+            forAll(handed, k)
+            {
+                handed[k] = numbers[k][pointi];
+            }
+            materialPoint* added = new materialPoint
+            (
+                mesh,
+                point(place[0][pointi], place[1][pointi], place[2][pointi]),
+                celli,
+                handed
+            );
+            cloud.addParticle(added);
+            points[celli].append(added);
+            filled[celli] += handed[2];
+            ++nAdded;
+        }
+    }
+
+    return nAdded;
+}
+
+
+void Foam::volumeBalance::checkReach(const scalarField& fill) const
+{
+    const fvMesh& mesh = surroundings_.mesh();
+
+    scalarList upper(mesh.nPoints(), Zero);
+    forAll(fill, celli)
+    {
+        for (const label pointi : surroundings_.corners(celli))
+        {
+            upper[pointi] = max(upper[pointi], fill[celli]);
+        }
+    }
+    sync(upper, maxEqOp<scalar>(), scalar(0));
+
+    forAll(fill, celli)
+    {
+        if (fill[celli] > 0)
+        {
+            continue;
+        }
+        bool reached = false;
+        for (const label pointi : surroundings_.corners(celli))
+        {
+            reached = reached
+             || (upper[pointi] > 0 && !surroundings_.excluded(pointi));
+        }
+        if (!reached)
+        {
+            FatalErrorInFunction
+                << "Cell " << celli << " at " << mesh.cellCentres()[celli]
+                << " has no material point and its neighbours have none"
+                << " either, time " << mesh.time().timeName() << nl
+                << "    Cures: more pointsPerCell or minPointsPerCell, a"
+                << " smaller maxCo" << exit(FatalError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::volumeBalance::volumeBalance(const cellSurroundings& surroundings)
+:
+    surroundings_(surroundings),
+    coupled_(returnReduce(anyCoupled(surroundings.mesh()), orOp<bool>())),
+    numbers_(surroundings.mesh().nCells())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::volumeBalance::apply
+(
+    cellPoints& points,
+    const bool compressible
+) const
+{
+    const scalarField& V = surroundings_.mesh().V();
+    scalarField filled(points.cloud().census().filled());
+    const label nPasses = 20;
+    label nAdded = 0;
+
+    for (label pass = 0; pass < nPasses; ++pass)
+    {
+        // Most steps end here: no cell to be mended
+        const scalarField fill(filled/V);
+        const scalar least = gMin(fill);
+        if
+        (
+            compressible ? least > 0 : least >= low && gMax(fill) <= high
+        )
+        {
+            break;
+        }
+
+        if (pass == 0)
+        {
+            checkReach(fill);
+        }
+        nAdded += handOn(points, meetings(fill, compressible), filled);
+    }
+
+    return nAdded;
+}
+
+
+// ************************************************************************* //
