@@ -43,6 +43,28 @@ void Foam::viscosityLaw::setM(const dimensionedScalar& R)
 }
 
 
+void Foam::viscosityLaw::setB()
+{
+    const tokenList& B = coeffs_.lookupEntry("B", keyType::LITERAL).stream();
+
+    if (B.size() == 1 && B[0].isWord())
+    {
+        if (B[0].wordToken() != "infinite")
+        {
+            checkedEntry::refuse
+            (
+                coeffs_, "B", B[0].wordToken(),
+                "a number above zero, or the word infinite"
+            );
+        }
+    }
+    else
+    {
+        invB_ = 1/checkedEntry::positive("B", eta_.dimensions(), coeffs_);
+    }
+}
+
+
 Foam::scalar Foam::viscosityLaw::shearRate
 (
     const flowState& flow,
