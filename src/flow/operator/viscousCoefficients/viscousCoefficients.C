@@ -120,7 +120,9 @@ bool Foam::viscousCoefficients::jumps(const label f) const
         return mag(aP - a(i)) > least || mag(bP - b(i)) > least;
     };
 
-    if (differ(a(P), b(P), N))
+    const scalar rest =
+        overRest_.size() ? overRest_[N]/overRest_[P] : 1;
+    if (differ(a(N)/rest, b(N)/rest, P))
     {
         return true;
     }
@@ -373,6 +375,14 @@ void Foam::viscousCoefficients::set
     anyJump_ = returnReduce(jumps_.size() > 0, orOp<bool>());
 
     setJumpCells();
+}
+
+
+void Foam::viscousCoefficients::setOverRest(const scalarField& ratio)
+{
+    overRest_.setSize(mesh_.nSlots());
+    SubList<scalar>(overRest_, mesh_.nCells()) = ratio;
+    mesh_.halo().swap(overRest_);
 }
 
 

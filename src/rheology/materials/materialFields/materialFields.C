@@ -469,6 +469,38 @@ bool Foam::materialFields::followsFlow() const
 }
 
 
+void Foam::materialFields::relax(const scalar factor)
+{
+    for (material& m : materials_)
+    {
+        m.law().relax(factor);
+    }
+}
+
+
+const Foam::viscosityLaw& Foam::materialFields::law(const label celli) const
+{
+    label most = 0;
+    for (label m = 1; m < alphas_.size(); ++m)
+    {
+        most = alphas_[m][celli] > alphas_[most][celli] ? m : most;
+    }
+    return materials_[most].law();
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::materialFields::overRest() const
+{
+    tmp<scalarField> tratio(new scalarField(mesh_.nCells()));
+    forAll(tratio(), celli)
+    {
+        const materialProperty& eta = law(celli).eta();
+        tratio.ref()[celli] = eta[celli]/eta.value();
+    }
+    return tratio;
+}
+
+
 void Foam::materialFields::correct(const flowState& flow)
 {
     for (material& m : materials_)
