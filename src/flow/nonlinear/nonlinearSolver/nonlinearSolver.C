@@ -33,38 +33,6 @@ static const Foam::label mostHalvings = 10;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::nonlinearSolver::show(const scalarField& x, const operatorState& s)
-{
-    const label n = system_.nCells();
-    const planarFrame& frame = system_.faces().frame();
-    const bool cosserat = system_.cosserat();
-
-    tensorField gradU(n);
-    scalarField omega(n);
-    vectorField gradOmega(n, Zero);
-    for (label celli = 0; celli < n; ++celli)
-    {
-        gradU[celli] = frame.inSpace(s.G[celli]);
-        omega[celli] =
-            cosserat && !system_.rotationUndetermined(celli)
-          ? s.omega[celli] : 0.5*s.curl(celli);
-        if (cosserat)
-        {
-            gradOmega[celli] = frame.inSpace(s.gradOmega[celli]);
-        }
-    }
-    const scalarField p
-    (
-        SubField<scalar>(x, n, 2*n) + system_.loads().rhoGh()
-    );
-
-    materials_.correct
-    (
-        flowState{materials_.mesh(), frame.e(), gradU, p, omega, gradOmega}
-    );
-}
-
-
 void Foam::nonlinearSolver::evaluate
 (
     const scalarField& x,
@@ -74,7 +42,7 @@ void Foam::nonlinearSolver::evaluate
 {
     // For the gradients, then with the viscosities that they make
     system_.residual(x, true, s, r);
-    show(x, s);
+    laws_.see(s);
     system_.update();
     system_.residual(x, true, s, r);
 }
@@ -228,7 +196,8 @@ Foam::nonlinearSolver::nonlinearSolver
     motions_(motions),
     solver_(solver),
     control_(controls, solver.tolerance(), warn, materials.followsFlow()),
-    tangent_(system),
+    laws_(materials, system),
+    tangent_(system, laws_),
     continued_(false)
 {}
 
@@ -244,7 +213,8 @@ Foam::flexibleGMRES::performance Foam::nonlinearSolver::solve
     flexibleGMRES::performance result;
     result.iterations = 0;
 
-    // Of the present materials, with the viscosities of the last flow
+    // From the flow alone, as a restart
+    laws_.start();
     system_.update();
     updatePreconditioner();
 

@@ -25,42 +25,6 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::viscosityTangent::setCell
-(
-    const label celli,
-    const operatorState& s
-)
-{
-    byG_[celli] = tensor2D(Zero);
-    byGradOmega_[celli] = Zero;
-    byOmega_[celli] = byP_[celli] = 0;
-
-    const viscositySlopes* slopes = system_.materials().law(celli).slopes();
-    if (!slopes || slopes->byRate.empty())
-    {
-        return;
-    }
-
-    // Of Gamma^2 = 2 D:D + 4 q s^2 + b |grad omega|^2, D without its trace
-    const scalar k = slopes->byRate[celli];
-    tensor2D D(0.5*(s.G[celli] + s.G[celli].T()));
-    const scalar mean = 0.5*(D.xx() + D.yy());
-    D.xx() -= mean;
-    D.yy() -= mean;
-    byG_[celli] = 4*k*D;
-    byP_[celli] = slopes->byPressure[celli];
-
-    if (system_.cosserat() && !system_.rotationUndetermined(celli))
-    {
-        const scalar bySpin = 8*slopes->q*k*s.relativeRotation(celli);
-        byOmega_[celli] = bySpin;
-        byG_[celli].xy() -= 0.5*bySpin;
-        byG_[celli].yx() += 0.5*bySpin;
-        byGradOmega_[celli] = 2*slopes->b*k*s.gradOmega[celli];
-    }
-}
-
-
 Foam::vector2D Foam::viscosityTangent::wallForce
 (
     const operatorState& s,
@@ -68,63 +32,79 @@ Foam::vector2D Foam::viscosityTangent::wallForce
 ) const
 {
     const planarFace& face = system_.faces()[f];
-    const label i = system_.faces().boundaryOf(f);
-    vector2D F(system_.viscous().onWall(s, f, true));
+    const vector2D F(system_.viscous().onWall(s, f, true));
+    const vector2D t(face.t());
 
-    switch (system_.boundary().velocity(i))
+    switch (system_.boundary().velocity(system_.faces().boundaryOf(f)))
     {
         case flowBoundary::VELOCITY:
         {
             // Without what takes the traction from halfway to the wall
-            const vector2D t(face.t());
-            F += 0.5*face.S/face.dc*(s.f[face.own] & t)*t;
-            break;
+            return F + 0.5*face.S/face.dc*(s.f[face.own] & t)*t;
         }
         case flowBoundary::TRACTION:
         {
-            F = (F & face.n)*face.n;
-            break;
+            return (F & face.n)*face.n;
         }
         case flowBoundary::OPEN:
         {
             break;
         }
     }
-    return F;
+    return Zero;
 }
 
 
-void Foam::viscosityTangent::calcChange(const operatorState& s) const
+void Foam::viscosityTangent::setCell
+(
+    const operatorState& s,
+    const label celli
+)
 {
-    for (label celli = 0; celli < system_.nCells(); ++celli)
+    moment_[celli] =
+        system_.rotationUndetermined(celli)
+      ? 0
+      : -4*system_.faces().V()[celli]*system_.coefficients().etaC(celli)
+       *s.relativeRotation(celli);
+}
+
+
+void Foam::viscosityTangent::setWall(const operatorState& s, const label f)
+{
+    force_[f] = wallForce(s, f);
+    if (!system_.cosserat())
     {
-        phi_[celli] = (byG_[celli] && s.G[celli]) + byP_[celli]*s.p[celli];
-        if (system_.cosserat())
-        {
-            phi_[celli] +=
-                byOmega_[celli]*s.omega[celli]
-              + (byGradOmega_[celli] & s.gradOmega[celli]);
-        }
+        return;
     }
-    system_.faces().halo().swap(phi_);
-}
 
-
-Foam::scalar Foam::viscosityTangent::change(const label f) const
-{
-    const planarFace& face = system_.faces()[f];
-    const viscousCoefficients& K = system_.coefficients();
-    const scalar P = (1 - face.w)/K.side(f, 0).a, N = face.w/K.side(f, 1).a;
-
-    return (P*phi_[face.own] + N*phi_[face.nei])/(P + N);
+    couple_[f] = 0;
+    if (system_.boundary().rotationFixed(system_.faces().boundaryOf(f)))
+    {
+        // What takes the couple from halfway to the wall is of the cell
+        const planarFace& face = system_.faces()[f];
+        const label P = face.own;
+        const scalar way =
+            2*system_.coefficients().etaC(P)*s.relativeRotation(P)
+           *face.S/face.dc;
+        couple_[f] = system_.viscous().coupleOnWall(s, f, true) - way;
+        moment_[P] += way;
+    }
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::viscosityTangent::viscosityTangent(const cosseratSystem& system)
+Foam::viscosityTangent::viscosityTangent
+(
+    const cosseratSystem& system,
+    const lawsInFlow& laws
+)
 :
-    system_(system)
+    system_(system),
+    laws_(laws),
+    force_(system.faces().nFaces()),
+    couple_(system.cosserat() ? system.faces().nFaces() : 0),
+    moment_(system.cosserat() ? system.nCells() : 0)
 {}
 
 
@@ -133,33 +113,17 @@ Foam::viscosityTangent::viscosityTangent(const cosseratSystem& system)
 void Foam::viscosityTangent::set(const operatorState& s)
 {
     const faceGeometry& mesh = system_.faces();
-    const label n = system_.nCells();
-    const bool cosserat = system_.cosserat();
 
-    byG_.setSize(n);
-    byGradOmega_.setSize(n);
-    byOmega_.setSize(n);
-    byP_.setSize(n);
-    phi_.setSize(mesh.nSlots());
-    force_.setSize(mesh.nFaces());
-    couple_.setSize(cosserat ? mesh.nFaces() : 0);
-    moment_.setSize(cosserat ? n : 0);
-
-    for (label celli = 0; celli < n; ++celli)
+    forAll(moment_, celli)
     {
-        setCell(celli, s);
-        if (cosserat)
-        {
-            moment_[celli] = -4*mesh.V()[celli]
-               *system_.coefficients().etaC(celli)*s.relativeRotation(celli);
-        }
+        setCell(s, celli);
     }
     mesh.forTwoSided
     (
         [&](const label f)
         {
             force_[f] = system_.viscous().onFace(s, f);
-            if (cosserat)
+            if (system_.cosserat())
             {
                 couple_[f] = system_.viscous().coupleOnFace(s, f);
             }
@@ -167,14 +131,7 @@ void Foam::viscosityTangent::set(const operatorState& s)
     );
     for (const label f : mesh.oneSided())
     {
-        force_[f] = wallForce(s, f);
-        if (cosserat)
-        {
-            couple_[f] =
-                system_.boundary().rotationFixed(mesh.boundaryOf(f))
-              ? system_.viscous().coupleOnWall(s, f, true)
-              : 0;
-        }
+        setWall(s, f);
     }
 }
 
@@ -189,13 +146,13 @@ void Foam::viscosityTangent::add
     const unknowns& all = system_.layout();
     const bool cosserat = system_.cosserat();
 
-    calcChange(direction);
+    laws_.along(direction);
     mesh.forTwoSided
     (
         [&](const label f)
         {
             const label P = mesh[f].own, N = mesh[f].nei;
-            const scalar phi = change(f);
+            const scalar phi = laws_.face(direction, f);
             all.addForce(r, P, phi*force_[f]);
             all.addForce(r, N, -phi*force_[f]);
             if (cosserat)
@@ -208,18 +165,16 @@ void Foam::viscosityTangent::add
     for (const label f : mesh.oneSided())
     {
         const label P = mesh[f].own;
-        all.addForce(r, P, phi_[P]*force_[f]);
+        const scalar phi = laws_.face(direction, f);
+        all.addForce(r, P, phi*force_[f]);
         if (cosserat)
         {
-            all.addCouple(r, P, phi_[P]*couple_[f]);
+            all.addCouple(r, P, phi*couple_[f]);
         }
     }
-    for (label celli = 0; cosserat && celli < system_.nCells(); ++celli)
+    forAll(moment_, celli)
     {
-        if (!system_.rotationUndetermined(celli))
-        {
-            all.addCouple(r, celli, phi_[celli]*moment_[celli]);
-        }
+        all.addCouple(r, celli, laws_.cell(celli)*moment_[celli]);
     }
 }
 

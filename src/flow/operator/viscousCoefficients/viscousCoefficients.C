@@ -200,6 +200,29 @@ Foam::jumpFace Foam::viscousCoefficients::setJump(const label f)
 }
 
 
+void Foam::viscousCoefficients::scaleFace(const label f)
+{
+    const scalar share = faceShare(f);
+
+    viscousFace& K = faces_[f];
+    K.Kn *= share;
+    K.Kt *= share;
+    K.Kq *= share;
+    if (compressible_)
+    {
+        Kb_[f] *= share;
+    }
+    if (cosserat_)
+    {
+        cosseratFace& Kr = rotation_[f];
+        for (scalar* k : {&Kr.KwP, &Kr.KwN, &Kr.KsP, &Kr.KsN, &Kr.Km})
+        {
+            *k *= share;
+        }
+    }
+}
+
+
 void Foam::viscousCoefficients::setFace
 (
     const label f,
@@ -371,6 +394,13 @@ void Foam::viscousCoefficients::set
         fluxOffset_[f] =
             mesh_.offset(f) + (face.w - faces_[f].wStiff)/face.dc*face.k();
     }
+    forAll(faceOverRest_, f)
+    {
+        if (faceOverRest_[f] >= 0)
+        {
+            scaleFace(f);
+        }
+    }
     jumps_.transfer(jumps);
     anyJump_ = returnReduce(jumps_.size() > 0, orOp<bool>());
 
@@ -383,6 +413,18 @@ void Foam::viscousCoefficients::setOverRest(const scalarField& ratio)
     overRest_.setSize(mesh_.nSlots());
     SubList<scalar>(overRest_, mesh_.nCells()) = ratio;
     mesh_.halo().swap(overRest_);
+    for (const label f : mesh_.oneSided())
+    {
+        overRest_[mesh_[f].nei] = overRest_[mesh_[f].own];
+    }
+}
+
+
+Foam::scalar Foam::viscousCoefficients::faceShare(const label f) const
+{
+    const planarFace& face = mesh_[f];
+    return faceOverRest_[f]
+       *((1 - face.w)/overRest_[face.own] + face.w/overRest_[face.nei]);
 }
 
 

@@ -97,33 +97,51 @@ Foam::rateLaw::rateLaw(const dictionary& coeffs)
 
 void Foam::rateLaw::correct(const flowState& flow)
 {
+    scalarField factor;
+    at(flow, factor, slopes_);
+    scale(factor);
+}
+
+
+bool Foam::rateLaw::at
+(
+    const flowState& flow,
+    scalarField& overRest,
+    viscositySlopes& slopes
+) const
+{
     // Steps of the differences: half the digits and more are left
     const scalar small = 1e-5;
     const label n = flow.nCells();
-    scalarField factor(n);
-    slopes_.byRate.setSize(n);
-    slopes_.byPressure.setSize(n);
-    slopes_.byPressure = 0;
+    overRest.setSize(n);
+    slopes.q = slopes_.q;
+    slopes.b = slopes_.b;
+    slopes.byRate.setSize(n);
+    slopes.byPressure.setSize(n);
+    slopes.byPressure = 0;
 
-    const scalarField strength
-    (
-        softening_.valid()
-      ? softening_->strength(flow.mesh)
-      : tmp<scalarField>(new scalarField(n, 1))
-    );
-
-    forAll(factor, celli)
+    scalarField strength(n, 1);
+    if (softening_.valid())
     {
-        const scalar rate = flow.shearRate(celli, slopes_.q, slopes_.b);
-        const scalar p = flow.p[celli], w = strength[celli];
+        strength = softening_->strength(flow.mesh);
+        if (flow.toPlaces)
+        {
+            flow.toPlaces(strength);
+        }
+    }
+
+    forAll(overRest, i)
+    {
+        const scalar rate = flow.shearRate(i, slopes.q, slopes.b);
+        const scalar p = flow.p[i], w = strength[i];
         const scalar eta = viscosity(rate, p, w);
-        factor[celli] = eta/eta_.value();
+        overRest[i] = eta/eta_.value();
 
         // d/d(Gamma^2) = d/d(ln Gamma)/(2 Gamma^2)
-        slopes_.byRate[celli] = 0;
+        slopes.byRate[i] = 0;
         if (sqr(rate) > VSMALL)
         {
-            slopes_.byRate[celli] = slope
+            slopes.byRate[i] = slope
             (
                 [&](const scalar h) { return viscosity((1 + h)*rate, p, w); },
                 small
@@ -131,14 +149,14 @@ void Foam::rateLaw::correct(const flowState& flow)
         }
         if (followsPressure())
         {
-            slopes_.byPressure[celli] = slope
+            slopes.byPressure[i] = slope
             (
                 [&](const scalar h) { return viscosity(rate, p + h, w); },
                 small*(mag(p) + eta*rate + VSMALL)
             );
         }
     }
-    scale(factor);
+    return true;
 }
 
 

@@ -115,4 +115,15 @@ Foam::viscosityLaw::viscosityLaw(const dictionary& coeffs)
 {}
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::viscosityLaw::rest()
+{
+    for (materialProperty* property : {&eta_, &etaC_, &M_})
+    {
+        property->rest();
+    }
+}
+
+
 // ************************************************************************* //
