@@ -25,6 +25,31 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::lawsInFlow::place::linearise(const bool carried)
+{
+    if (!carried)
+    {
+        stress = rates;
+        stress *= overRest;
+    }
+
+    placeRates at(stress);
+    const scalar longest = overRest*Foam::sqrt(sqrNorm(rates));
+    const scalar length = Foam::sqrt(sqrNorm(stress));
+    at *= (length > longest ? longest/length : 1)/overRest;
+    change = form(at, byRate, byPressure);
+}
+
+
+void Foam::lawsInFlow::place::predict(const placeRates& direction)
+{
+    first = rates;
+    first *= overRest;
+    slope = direction;
+    slope *= overRest;
+    slope.add(form(rates, byRate, byPressure)(direction), stress);
+}
+
 Foam::scalarField Foam::lawsInFlow::hydrostatic() const
 {
     scalarField rhoGh(system_.faces().nSlots(), Zero);
@@ -110,16 +135,16 @@ void Foam::lawsInFlow::seeCells
 
     forAll(cells_, celli)
     {
-        const viscositySlopes* slopes =
-            materials_.law(materials_.most(celli)).slopes();
-        cells_[celli] =
-            slopes && slopes->byRate.size()
-          ? flowPlaces::form
-            (
-                places_.cell(s, celli), slopes->q, slopes->b,
-                slopes->byRate[celli], slopes->byPressure[celli]
-            )
-          : placeForm{tensor2D(Zero), Zero, 0, 0};
+        const viscosityLaw& law = materials_.law(materials_.most(celli));
+        const viscositySlopes* slopes = law.slopes();
+        place& at = cells_[celli];
+        at.rates = places_.cell(s, celli);
+        at.overRest = law.eta()[celli]/law.eta().value();
+        const bool follows = slopes && slopes->byRate.size();
+        at.q = follows ? slopes->q : 0;
+        at.b = follows ? slopes->b : 0;
+        at.byRate = follows ? slopes->byRate[celli] : 0;
+        at.byPressure = follows ? slopes->byPressure[celli] : 0;
     }
 }
 
@@ -132,7 +157,7 @@ void Foam::lawsInFlow::seeFaces
 {
     const faceGeometry& mesh = system_.faces();
     scalarField overRest(mesh.nFaces(), -1.0);
-    ownForm_ = false;
+    own_ = false;
 
     forAll(within_, m)
     {
@@ -156,13 +181,16 @@ void Foam::lawsInFlow::seeFaces
             }
             forAll(faces, i)
             {
-                overRest[faces[i]] = ratio[i];
-                ownForm_[faces[i]] = true;
-                faces_[faces[i]] = flowPlaces::form
-                (
-                    places_.face(s, faces[i]), slopes.q, slopes.b,
-                    slopes.byRate[i], slopes.byPressure[i]
-                );
+                const label f = faces[i];
+                overRest[f] = ratio[i];
+                own_[f] = true;
+                place& at = faces_[f];
+                at.rates = places_.face(s, f);
+                at.overRest = ratio[i];
+                at.q = slopes.q;
+                at.b = slopes.b;
+                at.byRate = slopes.byRate[i];
+                at.byPressure = slopes.byPressure[i];
             }
         };
         see(faces.size(), rates, take);
@@ -192,7 +220,7 @@ void Foam::lawsInFlow::start()
     const faceGeometry& mesh = system_.faces();
     cells_.setSize(mesh.nCells());
     faces_.setSize(mesh.nFaces());
-    ownForm_.setSize(mesh.nFaces());
+    own_.setSize(mesh.nFaces());
     change_.setSize(mesh.nSlots());
 
     // Where there are several, -1
@@ -234,11 +262,56 @@ void Foam::lawsInFlow::see(const operatorState& s)
 }
 
 
+void Foam::lawsInFlow::linearise(const bool carried)
+{
+    for (place& cell : cells_)
+    {
+        cell.linearise(carried);
+    }
+    forAll(faces_, f)
+    {
+        if (own_[f])
+        {
+            faces_[f].linearise(carried);
+        }
+    }
+}
+
+
+void Foam::lawsInFlow::predict(const operatorState& step)
+{
+    forAll(cells_, celli)
+    {
+        cells_[celli].predict(places_.cell(step, celli));
+    }
+    forAll(faces_, f)
+    {
+        if (own_[f])
+        {
+            faces_[f].predict(places_.face(step, f));
+        }
+    }
+}
+
+
+void Foam::lawsInFlow::accept(const scalar length)
+{
+    for (List<place>* places : {&cells_, &faces_})
+    {
+        for (place& at : *places)
+        {
+            at.stress = at.first;
+            at.stress.add(length, at.slope);
+        }
+    }
+}
+
+
 void Foam::lawsInFlow::along(const operatorState& direction) const
 {
     forAll(cells_, celli)
     {
-        change_[celli] = cells_[celli](places_.cell(direction, celli));
+        change_[celli] = cells_[celli].change(places_.cell(direction, celli));
     }
     system_.faces().halo().swap(change_);
 }
@@ -250,9 +323,9 @@ Foam::scalar Foam::lawsInFlow::face
     const label f
 ) const
 {
-    if (ownForm_[f])
+    if (own_[f])
     {
-        return faces_[f](places_.face(direction, f));
+        return faces_[f].change(places_.face(direction, f));
     }
 
     const planarFace& face = system_.faces()[f];

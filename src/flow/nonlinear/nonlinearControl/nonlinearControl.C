@@ -29,6 +29,7 @@ License
 const Foam::Enum<Foam::nonlinearControl::methodType>
 Foam::nonlinearControl::methodNames
 ({
+    { methodType::STRESS_VELOCITY, "stressVelocity" },
     { methodType::NEWTON, "Newton" },
     { methodType::PICARD, "Picard" }
 });
@@ -37,7 +38,8 @@ Foam::nonlinearControl::methodNames
 const Foam::Enum<Foam::nonlinearControl::searchType>
 Foam::nonlinearControl::searchNames
 ({
-    { searchType::BACKTRACKING, "backtracking" },
+    { searchType::WORK, "work" },
+    { searchType::RESIDUAL, "residual" },
     { searchType::NONE, "none" }
 });
 
@@ -170,7 +172,7 @@ Foam::nonlinearControl::nonlinearControl
     const bool needed
 )
 :
-    method_(methodNames.getOrDefault("method", dict, methodType::NEWTON)),
+    method_(methodNames.getOrDefault("method", dict, methodType::STRESS_VELOCITY)),
     tolerance_
     (
         dict.getOrDefault<scalar>("tolerance", max(1e-5, linearTolerance))
@@ -180,7 +182,7 @@ Foam::nonlinearControl::nonlinearControl
     inner_(0),
     search_
     (
-        searchNames.getOrDefault("lineSearch", dict, searchType::BACKTRACKING)
+        searchNames.getOrDefault("lineSearch", dict, searchType::WORK)
     ),
     continuation_
     (

@@ -26,9 +26,11 @@ License
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
 //- Share of the fall that the linear problem foresees with which a step is
-//- content, and how often it is halved
+//- content, share of the work at its start that may be left against it, and
+//- how often it is shortened
 static const Foam::scalar enough = 1e-4;
-static const Foam::label mostHalvings = 10;
+static const Foam::scalar against = 0.5;
+static const Foam::label mostCuts = 10;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -68,7 +70,23 @@ Foam::scalar Foam::nonlinearSolver::norm
 }
 
 
-Foam::scalar Foam::nonlinearSolver::search
+Foam::scalar Foam::nonlinearSolver::work
+(
+    const scalarField& r,
+    const scalarField& dx
+) const
+{
+    const label n = system_.nCells();
+    scalar sum = 0;
+    forAll(r, i)
+    {
+        sum += i/n == 2 ? 0 : r[i]*dx[i];
+    }
+    return returnReduce(sum, sumOp<scalar>());
+}
+
+
+Foam::scalar Foam::nonlinearSolver::searchByWork
 (
     scalarField& x,
     const scalarField& dx,
@@ -76,11 +94,43 @@ Foam::scalar Foam::nonlinearSolver::search
     scalarField& r
 )
 {
-    const scalarField start(x), first(r), weights(system_.weights());
+    const scalarField start(x);
+    const scalar first = work(r, dx);
+
+    // Between a length at which they work for the step and one against it
+    scalar low = 0, high = 1, lowWork = first, highWork = -first, length = 1;
+    for (label i = 0; i <= mostCuts; ++i)
+    {
+        x = start + length*dx;
+        evaluate(x, s, r);
+        const scalar left = work(r, dx);
+
+        if (mag(left) <= against*first || (length == 1 && left > 0))
+        {
+            break;
+        }
+        (left > 0 ? low : high) = length;
+        (left > 0 ? lowWork : highWork) = left;
+        const scalar share = lowWork/(lowWork - highWork);
+        length = low + min(max(share, 0.1), 0.9)*(high - low);
+    }
+    return length;
+}
+
+
+Foam::scalar Foam::nonlinearSolver::searchByResidual
+(
+    scalarField& x,
+    const scalarField& dx,
+    operatorState& s,
+    scalarField& r
+)
+{
+    const scalarField start(x), weights(system_.weights());
     const scalar before = norm(r, weights);
 
     scalar length = 1;
-    for (label i = 0; i <= mostHalvings; ++i)
+    for (label i = 0; i <= mostCuts; ++i)
     {
         x = start + length*dx;
         evaluate(x, s, r);
@@ -94,6 +144,41 @@ Foam::scalar Foam::nonlinearSolver::search
     x = start;
     evaluate(x, s, r);
     return 0;
+}
+
+
+Foam::scalar Foam::nonlinearSolver::search
+(
+    scalarField& x,
+    const scalarField& dx,
+    operatorState& s,
+    scalarField& r
+)
+{
+    typedef nonlinearControl::searchType type;
+
+    if (control_.search() == type::NONE)
+    {
+        x += dx;
+        evaluate(x, s, r);
+        return 1;
+    }
+
+    // Where the linear problem is not solved well, or not symmetric, they may
+    // work against the step from its start
+    return
+        control_.search() == type::WORK && work(r, dx) > 0
+      ? searchByWork(x, dx, s, r)
+      : searchByResidual(x, dx, s, r);
+}
+
+
+void Foam::nonlinearSolver::foresee(const scalarField& dx)
+{
+    operatorState step(system_.newState());
+    scalarField r;
+    system_.residual(dx, false, step, r);
+    laws_.predict(step);
 }
 
 
@@ -112,22 +197,20 @@ Foam::label Foam::nonlinearSolver::step
     label iterations = 0;
     if (control_.derivatives())
     {
+        laws_.linearise(carried_ && control_.carriesStress());
         tangent_.set(s);
         scalarField dx(x.size(), Zero);
         iterations = solver_.correct(dx, r, share, &tangent_);
+        foresee(dx);
 
-        if (control_.search())
-        {
-            length = search(x, dx, s, r);
-        }
-        else
-        {
-            length = 1;
-            x += dx;
-            evaluate(x, s, r);
-        }
+        length = search(x, dx, s, r);
     }
-    if (length == 0)
+    carried_ = length > 0;
+    if (carried_)
+    {
+        laws_.accept(length);
+    }
+    else
     {
         iterations += solver_.correct(x, r, share, nullptr);
         evaluate(x, s, r);
@@ -198,6 +281,7 @@ Foam::nonlinearSolver::nonlinearSolver
     control_(controls, solver.tolerance(), warn, materials.followsFlow()),
     laws_(materials, system),
     tangent_(system, laws_),
+    carried_(false),
     continued_(false)
 {}
 
@@ -215,6 +299,7 @@ Foam::flexibleGMRES::performance Foam::nonlinearSolver::solve
 
     // From the flow alone, as a restart
     laws_.start();
+    carried_ = false;
     system_.update();
     updatePreconditioner();
 
