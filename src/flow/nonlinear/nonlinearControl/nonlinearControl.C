@@ -48,7 +48,7 @@ Foam::nonlinearControl::searchNames
 
 //- Largest share that a linear solve leaves by Eisenstat and Walker, and that
 //- of Picard steps: more accurate ones do not save steps
-static const Foam::scalar largestShare = 0.1;
+static const Foam::scalar largestShare = 0.01;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -172,13 +172,13 @@ Foam::nonlinearControl::nonlinearControl
     const bool needed
 )
 :
-    method_(methodNames.getOrDefault("method", dict, methodType::STRESS_VELOCITY)),
+    method_(methodNames.getOrDefault("method", dict, methodType::NEWTON)),
     tolerance_
     (
         dict.getOrDefault<scalar>("tolerance", max(1e-5, linearTolerance))
     ),
     maxIter_(dict.getOrDefault<label>("maxIter", 100)),
-    nPicard_(dict.getOrDefault<label>("nPicard", 1)),
+    nPicard_(dict.getOrDefault<label>("nPicard", 0)),
     inner_(0),
     search_
     (

@@ -373,7 +373,7 @@ void Foam::viscousCoefficients::set
         etaC_[face.nei] = etaC_[face.own];
         M_[face.nei] = M_[face.own];
     }
-    es_ = min(etaC_, eta_);
+    es_ = overRest_.size() ? etaC_ : scalarField(min(etaC_, eta_));
 
     sides_.clear();
     if (cuts)
