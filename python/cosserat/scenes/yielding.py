@@ -75,6 +75,11 @@ def solve(case):
     return columns, {**steps(log), "cpu": cpu_seconds(log)}
 
 
+def wall_stress(case):
+    """Shear stress of a layer whose walls move by one against each other."""
+    return case.table("power", "powerBalance.dat")[-1][2]/0.1
+
+
 def steps(log):
     """Nonlinear steps, linear iterations, residuals and lengths of the last
     solve in a log."""

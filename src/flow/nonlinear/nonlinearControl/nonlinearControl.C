@@ -89,11 +89,7 @@ void Foam::nonlinearControl::readInner(const dictionary& dict)
 }
 
 
-void Foam::nonlinearControl::check
-(
-    const dictionary& dict,
-    const scalar linearTolerance
-) const
+void Foam::nonlinearControl::check(const dictionary& dict) const
 {
     if (!(tolerance_ > 0 && tolerance_ < 1))
     {
@@ -137,18 +133,13 @@ void Foam::nonlinearControl::check
 }
 
 
-void Foam::nonlinearControl::giveUp
-(
-    const scalar residual,
-    const string& reason
-)
+void Foam::nonlinearControl::giveUp(const scalar residual)
 {
     ++nUnconverged_;
     if (!warn_)
     {
         FatalErrorInFunction
-            << "Flow and materials do not agree: " << reason.c_str()
-            << " after " << n_ - 1 << " steps, nonlinear residual "
+            << "Flow and materials do not agree after " << n_ - 1 << " steps, nonlinear residual "
             << residual << " instead of " << tolerance_ << nl
             << "    Cures, in system/fvSolution, creepingFlow: in nonlinear"
             << " more nPicard, a continuation such as (100 10 1), a larger"
@@ -156,8 +147,7 @@ void Foam::nonlinearControl::giveUp
             << " notConverged warn, to go on all the same" << exit(FatalError);
     }
     WarningInFunction
-        << "flow and materials do not agree: " << reason.c_str()
-        << ", nonlinear residual " << residual
+        << "flow and materials do not agree, nonlinear residual " << residual
         << "; going on, since notConverged is warn" << endl;
 }
 
@@ -175,7 +165,7 @@ Foam::nonlinearControl::nonlinearControl
     method_(methodNames.getOrDefault("method", dict, methodType::NEWTON)),
     tolerance_
     (
-        dict.getOrDefault<scalar>("tolerance", max(1e-5, linearTolerance))
+        dict.getOrDefault<scalar>("tolerance", linearTolerance)
     ),
     maxIter_(dict.getOrDefault<label>("maxIter", 100)),
     nPicard_(dict.getOrDefault<label>("nPicard", 0)),
@@ -206,7 +196,7 @@ Foam::nonlinearControl::nonlinearControl
         }
     );
     readInner(dict);
-    check(dict, linearTolerance);
+    check(dict);
 
     if (needed)
     {
@@ -247,7 +237,7 @@ bool Foam::nonlinearControl::goOn(const scalar residual)
     }
     if (n_ > maxIter_)
     {
-        giveUp(residual, "not converged");
+        giveUp(residual);
         return false;
     }
 
@@ -279,12 +269,6 @@ Foam::scalar Foam::nonlinearControl::share(const scalar residual)
     lastResidual_ = residual;
     lastShare_ = share;
     return share;
-}
-
-
-void Foam::nonlinearControl::refuseStep(const scalar residual)
-{
-    giveUp(residual, "the residual falls along no step");
 }
 
 

@@ -373,6 +373,7 @@ void Foam::viscousCoefficients::set
         etaC_[face.nei] = etaC_[face.own];
         M_[face.nei] = M_[face.own];
     }
+    // A law sees the relative rotation of faces: so has their stress
     es_ = overRest_.size() ? etaC_ : scalarField(min(etaC_, eta_));
 
     sides_.clear();
