@@ -33,8 +33,8 @@ def channels():
                 "regularisation": "Papanastasiou"},
                yielding.papanastasiou_rate(0.5, eps))
               for eps in (0.1, 0.01, 0.001)]
-    scenes += [(f"Bingham, eps 1e-5, tauY {tauY}", "bingham",
-                {"etaP": 1, "tauY": tauY, "eps": 1e-5,
+    scenes += [(f"Bingham, eps 1e-4, tauY {tauY}", "bingham",
+                {"etaP": 1, "tauY": tauY, "eps": 1e-4,
                  "regularisation": "Papanastasiou"},
                 yielding.bingham_rate(tauY)) for tauY in (0.25, 0.5, 0.75)]
     scenes += [(f"power law, n {n}", "powerLaw",
@@ -44,7 +44,8 @@ def channels():
         exact = yielding.Channel(rate, G=2, h=0.5).flow()
         last = None
         for n in (16, 32, 64, 128):
-            _, cells, did = run("channel", law, {**coeffs, **CLASSICAL}, n, G=2)
+            _, cells, did = run("channel", law, {**coeffs, **CLASSICAL}, n, G=2,
+                                continuation="(100 10 1)")
             now = row("channel", name, n,
                       float((cells["U"][:, 0]*cells["h"]).sum()), exact, did)
             if last:

@@ -81,14 +81,12 @@ def wall_stress(case):
 
 
 def steps(log):
-    """Nonlinear steps, linear iterations, residuals and lengths of the last
-    solve in a log."""
+    """Nonlinear steps, linear iterations, residuals and lengths of all solves
+    in a log."""
     rows = re.findall(
-        r"Nonlinear: step (\d+), (\w+), residual = (\S+), inner tolerance ="
+        r"Nonlinear: step \d+, (\w+), residual = (\S+), inner tolerance ="
         r" \S+, No Iterations (\d+), step length = (\S+)", log)
-    last = [i for i, row in enumerate(rows) if row[0] == "1"]
-    rows = rows[last[-1]:] if rows else []
     return {"nonlinear": len(rows),
-            "linear": sum(int(row[3]) for row in rows),
-            "residuals": [float(row[2]) for row in rows],
-            "lengths": [float(row[4]) for row in rows]}
+            "linear": sum(int(row[2]) for row in rows),
+            "residuals": [float(row[1]) for row in rows],
+            "lengths": [float(row[3]) for row in rows]}

@@ -139,7 +139,8 @@ void Foam::nonlinearControl::giveUp(const scalar residual)
     if (!warn_)
     {
         FatalErrorInFunction
-            << "Flow and materials do not agree after " << n_ - 1 << " steps, nonlinear residual "
+            << "Flow and materials do not agree after " << n_ - 1
+            << " steps, nonlinear residual "
             << residual << " instead of " << tolerance_ << nl
             << "    Cures, in system/fvSolution, creepingFlow: in nonlinear"
             << " more nPicard, a continuation such as (100 10 1), a larger"
@@ -147,7 +148,8 @@ void Foam::nonlinearControl::giveUp(const scalar residual)
             << " notConverged warn, to go on all the same" << exit(FatalError);
     }
     WarningInFunction
-        << "flow and materials do not agree, nonlinear residual " << residual
+        << "flow and materials do not agree, nonlinear residual "
+        << residual
         << "; going on, since notConverged is warn" << endl;
 }
 
