@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 from cosserat import yielding
-from cosserat.scenes.yielding import set_law, solve, strip, wall_stress
+from cosserat.scenes.yielding import (
+    set_law, solve, steps, strip, wall_stress)
 
 CLASSICAL = {"etaCRatio": 0, "R": 0, "B": "infinite"}
 COSSERAT = {"etaCRatio": 1, "R": 0.1, "B": "infinite"}
@@ -98,6 +99,18 @@ def test_arrest_of_a_channel(tmp_path, times, exponent):
         speeds.append(cells["U"][:, 0].max())
     measured = np.log(speeds[1]/speeds[0])/np.log(100)
     assert abs(measured - exponent) < 0.02
+
+
+def test_parts_of_a_mesh(tmp_path):
+    """On two ranks the steps and the flow are those of one."""
+    runs = []
+    for ranks in (1, 2):
+        case = strip(tmp_path/f"on{ranks}", "bingham", {
+            **LAWS["bingham"][0], **COSSERAT}, 24, V=1, grading=10)
+        case.solve(ranks, n="(1 2 1)")
+        runs.append((case.field("omega"), steps(case.log())["nonlinear"]))
+    assert np.abs(runs[0][0] - runs[1][0]).max() < 1e-6
+    assert runs[0][1] == runs[1][1]
 
 
 def test_softening_asks_for_its_field(tmp_path):
