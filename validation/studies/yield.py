@@ -21,7 +21,8 @@ def row(test, parameters, cells, value, reference, did, order=None):
     """A row of the study."""
     return {"test": test, "parameters": parameters, "cells": cells,
             "value": value, "reference": reference,
-            "error": value/reference - 1, "order": order,
+            "error": None if value is None else value/reference - 1,
+            "order": order,
             "nonlinear": did["nonlinear"], "linear": did["linear"],
             "cpu": did["cpu"]}
 
@@ -108,7 +109,7 @@ def methods():
                            ("stressVelocity", "none"), ("Picard", "work")):
         for eps in (1e-2, 1e-3, 1e-4):
             for n in (32, 64, 128, 256):
-                value, did = np.nan, dict.fromkeys(("nonlinear", "linear",
+                value, did = None, dict.fromkeys(("nonlinear", "linear",
                                                     "cpu"))
                 try:
                     case, _, did = run("method", "bingham", {
