@@ -24,7 +24,6 @@ License
 #include "creepingFlow.H"
 #include "checkedEntry.H"
 #include "checkedText.H"
-#include "fvcGrad.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -158,7 +157,8 @@ bool Foam::creepingFlow::readCorners() const
             << "    Allowed: automatic, off" << exit(FatalIOError);
     }
 
-    return choice == "automatic";
+    // The singular flow at a corner is known for constant viscosities alone
+    return choice == "automatic" && !materials_.followsFlow();
 }
 
 
@@ -535,8 +535,8 @@ Foam::creepingFlow::creepingFlow(materialFields& materials)
     ),
     nonlinear_
     (
-        controls_.subOrEmptyDict("nonlinear"), solver_.tolerance(), goOn_,
-        materials.followsFlow()
+        materials, system_, preconditioner_(), motions_, solver_,
+        controls_.subOrEmptyDict("nonlinear"), goOn_
     ),
     state_(system_.newState()),
     nChanges_(0),
@@ -599,7 +599,7 @@ const Foam::creepingFlow& Foam::creepingFlow::find(const fvMesh& mesh)
 void Foam::creepingFlow::solve()
 {
     boundary_.update();
-    solveMaterials();
+    solveOnce();
 
     // What the flow changes of the pressures that are given
     const label most = 100;
@@ -614,7 +614,7 @@ void Foam::creepingFlow::solve()
                 << "    Allowed: prghPressure and fixedValue"
                 << exit(FatalError);
         }
-        solveMaterials();
+        solveOnce();
     }
 }
 
@@ -642,60 +642,25 @@ void Foam::creepingFlow::updateSystem()
 }
 
 
-void Foam::creepingFlow::correctMaterials()
-{
-    // The gradients are of the last residual
-    updateSystem();
-    pack();
-    scalarField r;
-    system_.residual(x_, true, state_, r);
-
-    const tmp<volTensorField> gradU(this->gradU());
-    const tmp<volVectorField> gradOmega(fvc::grad(omega_, "linear"));
-
-    materials_.correct
-    (
-        flowState
-        {
-            mesh_, frame_.e(), gradU().primitiveField(),
-            p_.primitiveField(), omega_.primitiveField(),
-            gradOmega().primitiveField()
-        }
-    );
-}
-
-
-void Foam::creepingFlow::solveMaterials()
-{
-    if (!materials_.followsFlow())
-    {
-        solveOnce();
-        return;
-    }
-
-    scalar residual;
-    nonlinear_.start();
-    do
-    {
-        correctMaterials();
-        solveOnce();
-
-        residual = 0;
-        for (const scalar part : performance_.initial)
-        {
-            residual = max(residual, part);
-        }
-    }
-    while (nonlinear_.goOn(residual));
-}
-
-
 void Foam::creepingFlow::solveOnce()
 {
-    updateSystem();
-    checkLoads();
-    pack();
-    performance_ = solver_.solve(x_, state_);
+    if (materials_.followsFlow())
+    {
+        // Updates the system as it goes
+        system_.updateWalls();
+        system_.update();
+        checkLoads();
+        pack();
+        performance_ = nonlinear_.solve(x_, state_);
+        nChanges_ = materials_.nChanges();
+    }
+    else
+    {
+        updateSystem();
+        checkLoads();
+        pack();
+        performance_ = solver_.solve(x_, state_);
+    }
     // Also without iterations: patch fields wait for it to take new values
     unpack();
     report();

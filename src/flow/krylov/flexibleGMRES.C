@@ -47,6 +47,10 @@ void Foam::flexibleGMRES::weightedResidual
 ) const
 {
     system_.residual(x, driven, s, r);
+    if (tangent_ && !driven)
+    {
+        tangent_->add(s, r);
+    }
     motions_.removeFromResidual(r);
     r *= system_.weights();
 }
@@ -66,6 +70,16 @@ void Foam::flexibleGMRES::removeMotions(scalarField& x) const
     {
         x = before;
     }
+}
+
+
+Foam::scalar Foam::flexibleGMRES::atRest() const
+{
+    operatorState s(system_.newState());
+    scalarField r;
+    weightedResidual(scalarField(system_.size(), Zero), true, s, r);
+
+    return Foam::sqrt(gSumSqr(r));
 }
 
 
@@ -223,7 +237,8 @@ Foam::flexibleGMRES::flexibleGMRES
     maxIter_(controls.getOrDefault<label>("maxIter", 300)),
     nDirections_(controls.getOrDefault<label>("nDirections", 150)),
     v_(nDirections_ + 1),
-    z_(nDirections_)
+    z_(nDirections_),
+    tangent_(nullptr)
 {
     if (!(tolerance_ > 0 && tolerance_ < 1) || maxIter_ < 1 || nDirections_ < 1)
     {
@@ -296,6 +311,57 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
     }
 
     return result;
+}
+
+
+Foam::label Foam::flexibleGMRES::correct
+(
+    scalarField& x,
+    const scalarField& r,
+    const scalar share,
+    const viscosityTangent* tangent
+)
+{
+    operatorState s(system_.newState());
+    scalarField first(r), left, dx(x.size(), Zero);
+    motions_.removeFromResidual(first);
+    first *= system_.weights();
+    left = first;
+    const scalar target = share*Foam::sqrt(gSumSqr(first));
+    label iterations = 0;
+
+    tangent_ = tangent;
+    while (Foam::sqrt(gSumSqr(left)) > target && iterations < maxIter_)
+    {
+        const label done =
+            cycle(dx, left, 0.9*target, maxIter_ - iterations, s);
+        iterations += done;
+        weightedResidual(dx, false, s, left);
+        left += first;
+
+        if (done == 0)
+        {
+            break;
+        }
+    }
+    tangent_ = nullptr;
+
+    x += dx;
+    return iterations;
+}
+
+
+Foam::flexibleGMRES::residuals Foam::flexibleGMRES::relative
+(
+    const scalarField& r
+) const
+{
+    scalarField weighted(r);
+    motions_.removeFromResidual(weighted);
+    weighted *= system_.weights();
+
+    // Where nothing drives the flow there is nothing to compare with
+    return norms(weighted, max(atRest(), VSMALL));
 }
 
 

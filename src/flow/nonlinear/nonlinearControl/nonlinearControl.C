@@ -24,6 +24,136 @@ License
 #include "nonlinearControl.H"
 #include "checkedEntry.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::nonlinearControl::methodType>
+Foam::nonlinearControl::methodNames
+({
+    { methodType::STRESS_VELOCITY, "stressVelocity" },
+    { methodType::NEWTON, "Newton" },
+    { methodType::PICARD, "Picard" }
+});
+
+
+const Foam::Enum<Foam::nonlinearControl::searchType>
+Foam::nonlinearControl::searchNames
+({
+    { searchType::WORK, "work" },
+    { searchType::RESIDUAL, "residual" },
+    { searchType::NONE, "none" }
+});
+
+
+// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
+
+//- Largest share that a linear solve leaves by Eisenstat and Walker, and that
+//- of Picard steps: more accurate ones do not save steps
+static const Foam::scalar largestShare = 0.01;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::nonlinearControl::readInner(const dictionary& dict)
+{
+    if (!dict.found("inner"))
+    {
+        return;
+    }
+
+    const tokenList& inner =
+        dict.lookupEntry("inner", keyType::LITERAL).stream();
+
+    if (inner.size() == 1 && inner[0].isNumber())
+    {
+        inner_ = inner[0].number();
+        if (inner_ > 0 && inner_ < 1)
+        {
+            return;
+        }
+    }
+    else if
+    (
+        inner.size() == 1 && inner[0].isWord()
+     && inner[0].wordToken() == "EisenstatWalker"
+    )
+    {
+        return;
+    }
+    checkedEntry::refuse
+    (
+        dict, "inner",
+        inner.size() == 1 && inner[0].isWord()
+      ? string(inner[0].wordToken()) : Foam::name(inner_),
+        "EisenstatWalker, or a number above 0 and below 1"
+    );
+}
+
+
+void Foam::nonlinearControl::check(const dictionary& dict) const
+{
+    if (!(tolerance_ > 0 && tolerance_ < 1))
+    {
+        checkedEntry::refuse
+        (
+            dict, "tolerance", Foam::name(tolerance_), "above 0 and below 1"
+        );
+    }
+    if (maxIter_ < 1)
+    {
+        checkedEntry::refuse
+        (
+            dict, "maxIter", Foam::name(maxIter_), "one or more"
+        );
+    }
+    if (nPicard_ < 0)
+    {
+        checkedEntry::refuse
+        (
+            dict, "nPicard", Foam::name(nPicard_), "zero or more"
+        );
+    }
+    for (const scalar factor : continuation_)
+    {
+        if (!(factor > 0))
+        {
+            checkedEntry::refuse
+            (
+                dict, "continuation", Foam::name(factor), "factors above zero"
+            );
+        }
+    }
+    if (continuation_.empty() || continuation_.last() != 1)
+    {
+        checkedEntry::refuse
+        (
+            dict, "continuation", "a list that does not end with 1",
+            "factors of which the last is 1"
+        );
+    }
+}
+
+
+void Foam::nonlinearControl::giveUp(const scalar residual)
+{
+    ++nUnconverged_;
+    if (!warn_)
+    {
+        FatalErrorInFunction
+            << "Flow and materials do not agree after " << n_ - 1
+            << " steps, nonlinear residual "
+            << residual << " instead of " << tolerance_ << nl
+            << "    Cures, in system/fvSolution, creepingFlow: in nonlinear"
+            << " more nPicard, a continuation such as (100 10 1), a larger"
+            << " maxIter or tolerance, a smaller number as inner; or"
+            << " notConverged warn, to go on all the same" << exit(FatalError);
+    }
+    WarningInFunction
+        << "flow and materials do not agree, nonlinear residual "
+        << residual
+        << "; going on, since notConverged is warn" << endl;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::nonlinearControl::nonlinearControl
@@ -34,41 +164,57 @@ Foam::nonlinearControl::nonlinearControl
     const bool needed
 )
 :
+    method_(methodNames.getOrDefault("method", dict, methodType::NEWTON)),
     tolerance_
     (
-        dict.getOrDefault<scalar>("tolerance", max(1e-5, linearTolerance))
+        dict.getOrDefault<scalar>("tolerance", linearTolerance)
     ),
     maxIter_(dict.getOrDefault<label>("maxIter", 100)),
+    nPicard_(dict.getOrDefault<label>("nPicard", 0)),
+    inner_(0),
+    search_
+    (
+        searchNames.getOrDefault("lineSearch", dict, searchType::WORK)
+    ),
+    continuation_
+    (
+        dict.getOrDefault<scalarList>("continuation", scalarList(1, 1.0))
+    ),
     warn_(warn),
     n_(0),
-    nSteps_(0),
+    lastResidual_(0),
+    lastShare_(0),
     nSolves_(0),
+    nSteps_(0),
     most_(0),
     nUnconverged_(0)
 {
-    checkedEntry::only(dict, {"tolerance", "maxIter"});
-
-    if (!(tolerance_ >= linearTolerance && tolerance_ < 1))
-    {
-        checkedEntry::refuse
-        (
-            dict, "tolerance", Foam::name(tolerance_),
-            "from the tolerance of creepingFlow, " + Foam::name(linearTolerance)
-          + ", to below 1"
-        );
-    }
-    if (maxIter_ < 1)
-    {
-        checkedEntry::refuse
-        (
-            dict, "maxIter", Foam::name(maxIter_), "one or more"
-        );
-    }
+    checkedEntry::only
+    (
+        dict,
+        {
+            "method", "tolerance", "maxIter", "nPicard", "inner",
+            "lineSearch", "continuation"
+        }
+    );
+    readInner(dict);
+    check(dict);
 
     if (needed)
     {
-        Info<< "    nonlinear tolerance " << tolerance_ << ", maxIter "
-            << maxIter_ << nl;
+        Info<< "    nonlinear " << methodNames[method_] << ", tolerance "
+            << tolerance_ << ", maxIter " << maxIter_ << ", nPicard "
+            << nPicard_ << ", inner ";
+        if (inner_ > 0)
+        {
+            Info<< inner_;
+        }
+        else
+        {
+            Info<< "EisenstatWalker";
+        }
+        Info<< ", lineSearch " << searchNames[search_] << ", continuation "
+            << flatOutput(continuation_) << nl;
     }
 }
 
@@ -78,53 +224,78 @@ Foam::nonlinearControl::nonlinearControl
 void Foam::nonlinearControl::start()
 {
     n_ = 0;
-    ++nSteps_;
+    lastResidual_ = 0;
+    ++nSolves_;
 }
 
 
-bool Foam::nonlinearControl::goOn(const scalar initialResidual)
+bool Foam::nonlinearControl::goOn(const scalar residual)
 {
     ++n_;
-    ++nSolves_;
-    most_ = max(most_, n_);
 
-    Info<< "Nonlinear: solve " << n_ << " began with residual "
-        << initialResidual << endl;
-
-    if (initialResidual <= tolerance_)
+    if (residual <= tolerance_)
     {
         return false;
     }
-    if (n_ < maxIter_)
+    if (n_ > maxIter_)
     {
-        return true;
+        giveUp(residual);
+        return false;
     }
 
-    ++nUnconverged_;
-    if (!warn_)
-    {
-        FatalErrorInFunction
-            << "Flow and materials do not agree after " << n_
-            << " solves: nonlinear residual " << initialResidual
-            << " instead of " << tolerance_ << nl
-            << "    Cures, in system/fvSolution, creepingFlow: a larger"
-            << " maxIter or tolerance in nonlinear; or notConverged warn, to"
-            << " go on all the same" << exit(FatalError);
-    }
-    WarningInFunction
-        << "flow and materials do not agree after " << n_
-        << " solves; going on, since notConverged is warn" << endl;
+    ++nSteps_;
+    most_ = max(most_, n_);
+    return true;
+}
 
-    return false;
+
+Foam::scalar Foam::nonlinearControl::share(const scalar residual)
+{
+    // Choice 2 of Eisenstat and Walker (1996), with their safeguard; never
+    // far more accurate than what is asked for
+    scalar share = largestShare;
+    if (inner_ > 0)
+    {
+        share = inner_;
+    }
+    else if (derivatives() && lastResidual_ > 0)
+    {
+        share = 0.9*sqr(residual/lastResidual_);
+        const scalar safe = 0.9*sqr(lastShare_);
+        if (safe > 0.1)
+        {
+            share = max(share, safe);
+        }
+        share = min(max(share, 0.3*tolerance_/residual), largestShare);
+    }
+    lastResidual_ = residual;
+    lastShare_ = share;
+    return share;
+}
+
+
+void Foam::nonlinearControl::print
+(
+    const scalar residual,
+    const scalar share,
+    const label iterations,
+    const scalar length
+) const
+{
+    Info<< "Nonlinear: step " << n_
+        << (derivatives() ? ", Newton" : ", Picard")
+        << ", residual = " << residual << ", inner tolerance = " << share
+        << ", No Iterations " << iterations << ", step length = " << length
+        << endl;
 }
 
 
 void Foam::nonlinearControl::summary() const
 {
-    if (nSteps_)
+    if (nSolves_)
     {
-        Info<< nl << "Nonlinear: " << nSteps_ << " steps, " << nSolves_
-            << " solves, at most " << most_ << " in one, " << nUnconverged_
+        Info<< nl << "Nonlinear: " << nSolves_ << " solves, " << nSteps_
+            << " steps, at most " << most_ << " in one, " << nUnconverged_
             << " not converged" << endl;
     }
 }

@@ -360,6 +360,10 @@ void Foam::cosseratSystem::update()
 
     stabilisation_.update(materials_.rho(), loads_.gravity());
 
+    if (materials_.followsFlow())
+    {
+        K_.setOverRest(materials_.overRest());
+    }
     if (corners_.active())
     {
         setCorners(eta, etaC, M);

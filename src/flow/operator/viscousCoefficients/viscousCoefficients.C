@@ -120,7 +120,9 @@ bool Foam::viscousCoefficients::jumps(const label f) const
         return mag(aP - a(i)) > least || mag(bP - b(i)) > least;
     };
 
-    if (differ(a(P), b(P), N))
+    const scalar rest =
+        overRest_.size() ? overRest_[N]/overRest_[P] : 1;
+    if (differ(a(N)/rest, b(N)/rest, P))
     {
         return true;
     }
@@ -195,6 +197,29 @@ Foam::jumpFace Foam::viscousCoefficients::setJump(const label f)
         take.omegaN = sign*omega[1]/face.dc;
     }
     return jump;
+}
+
+
+void Foam::viscousCoefficients::scaleFace(const label f)
+{
+    const scalar share = faceShare(f);
+
+    viscousFace& K = faces_[f];
+    K.Kn *= share;
+    K.Kt *= share;
+    K.Kq *= share;
+    if (compressible_)
+    {
+        Kb_[f] *= share;
+    }
+    if (cosserat_)
+    {
+        cosseratFace& Kr = rotation_[f];
+        for (scalar* k : {&Kr.KwP, &Kr.KwN, &Kr.KsP, &Kr.KsN, &Kr.Km})
+        {
+            *k *= share;
+        }
+    }
 }
 
 
@@ -348,7 +373,8 @@ void Foam::viscousCoefficients::set
         etaC_[face.nei] = etaC_[face.own];
         M_[face.nei] = M_[face.own];
     }
-    es_ = min(etaC_, eta_);
+    // A law sees the relative rotation of faces: so has their stress
+    es_ = overRest_.size() ? etaC_ : scalarField(min(etaC_, eta_));
 
     sides_.clear();
     if (cuts)
@@ -369,10 +395,37 @@ void Foam::viscousCoefficients::set
         fluxOffset_[f] =
             mesh_.offset(f) + (face.w - faces_[f].wStiff)/face.dc*face.k();
     }
+    forAll(faceOverRest_, f)
+    {
+        if (faceOverRest_[f] >= 0)
+        {
+            scaleFace(f);
+        }
+    }
     jumps_.transfer(jumps);
     anyJump_ = returnReduce(jumps_.size() > 0, orOp<bool>());
 
     setJumpCells();
+}
+
+
+void Foam::viscousCoefficients::setOverRest(const scalarField& ratio)
+{
+    overRest_.setSize(mesh_.nSlots());
+    SubList<scalar>(overRest_, mesh_.nCells()) = ratio;
+    mesh_.halo().swap(overRest_);
+    for (const label f : mesh_.oneSided())
+    {
+        overRest_[mesh_[f].nei] = overRest_[mesh_[f].own];
+    }
+}
+
+
+Foam::scalar Foam::viscousCoefficients::faceShare(const label f) const
+{
+    const planarFace& face = mesh_[f];
+    return faceOverRest_[f]
+       *((1 - face.w)/overRest_[face.own] + face.w/overRest_[face.nei]);
 }
 
 

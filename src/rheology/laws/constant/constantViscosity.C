@@ -71,23 +71,7 @@ Foam::viscosityLaws::constant::constant(const dictionary& coeffs)
         M_ = checkedEntry::nonNegative("M", M_.dimensions(), coeffs);
     }
 
-    const tokenList& B = coeffs.lookupEntry("B", keyType::LITERAL).stream();
-
-    if (B.size() == 1 && B[0].isWord())
-    {
-        if (B[0].wordToken() != "infinite")
-        {
-            checkedEntry::refuse
-            (
-                coeffs, "B", B[0].wordToken(),
-                "a number above zero, or the word infinite"
-            );
-        }
-    }
-    else
-    {
-        invB_ = 1/checkedEntry::positive("B", eta_.dimensions(), coeffs);
-    }
+    setB();
 }
 
 

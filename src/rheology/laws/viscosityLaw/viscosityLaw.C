@@ -43,6 +43,28 @@ void Foam::viscosityLaw::setM(const dimensionedScalar& R)
 }
 
 
+void Foam::viscosityLaw::setB()
+{
+    const tokenList& B = coeffs_.lookupEntry("B", keyType::LITERAL).stream();
+
+    if (B.size() == 1 && B[0].isWord())
+    {
+        if (B[0].wordToken() != "infinite")
+        {
+            checkedEntry::refuse
+            (
+                coeffs_, "B", B[0].wordToken(),
+                "a number above zero, or the word infinite"
+            );
+        }
+    }
+    else
+    {
+        invB_ = 1/checkedEntry::positive("B", eta_.dimensions(), coeffs_);
+    }
+}
+
+
 Foam::scalar Foam::viscosityLaw::shearRate
 (
     const flowState& flow,
@@ -91,6 +113,17 @@ Foam::viscosityLaw::viscosityLaw(const dictionary& coeffs)
     M_("M", dimViscosityPaS*dimArea, Zero),
     invB_("invB", dimless/dimViscosityPaS, Zero)
 {}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::viscosityLaw::rest()
+{
+    for (materialProperty* property : {&eta_, &etaC_, &M_})
+    {
+        property->rest();
+    }
+}
 
 
 // ************************************************************************* //

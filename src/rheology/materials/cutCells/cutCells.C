@@ -107,7 +107,7 @@ Foam::cutCells::layers Foam::cutCells::pure
     const viscosityLaw& law = materials_[m].law();
     const scalar eta = law.eta()[celli];
     const scalar etaC = law.M().value() > 0 ? law.etaC()[celli] : 0;
-    const scalar es = min(etaC, eta);
+    const scalar es = law.followsFlow() ? etaC : min(etaC, eta);
 
     return {eta, eta + es, eta - es, es, etaC, law.M()[celli], -1};
 }

@@ -66,6 +66,7 @@ void Foam::material::print(Ostream& os) const
     {
         os  << " at rest, and then as the flow is";
     }
+    law_->print(os);
 
     os  << nl;
 }

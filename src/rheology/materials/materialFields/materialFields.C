@@ -471,6 +471,56 @@ bool Foam::materialFields::followsFlow() const
 }
 
 
+void Foam::materialFields::relax(const scalar factor)
+{
+    for (material& m : materials_)
+    {
+        m.law().relax(factor);
+    }
+}
+
+
+void Foam::materialFields::rest()
+{
+    for (material& m : materials_)
+    {
+        m.law().rest();
+    }
+    ++nChanges_;
+    setProperties();
+}
+
+
+Foam::label Foam::materialFields::most(const label celli) const
+{
+    label most = 0;
+    for (label m = 1; m < alphas_.size(); ++m)
+    {
+        most = alphas_[m][celli] > alphas_[most][celli] ? m : most;
+    }
+    return most;
+}
+
+
+bool Foam::materialFields::pure(const label celli) const
+{
+    return
+        alphas_.empty() || alphas_[most(celli)][celli] > 1 - 1e-9;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::materialFields::overRest() const
+{
+    tmp<scalarField> tratio(new scalarField(mesh_.nCells()));
+    forAll(tratio(), celli)
+    {
+        const materialProperty& eta = law(most(celli)).eta();
+        tratio.ref()[celli] = eta[celli]/eta.value();
+    }
+    return tratio;
+}
+
+
 void Foam::materialFields::correct(const flowState& flow)
 {
     for (material& m : materials_)

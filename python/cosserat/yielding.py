@@ -1,0 +1,113 @@
+"""Exact and computed values of media that yield, in layers and channels
+(docs/theory.md, section 13). Unit yield stress, force and lengths where no
+other is given; the Cosserat measure of stress has the weights of the
+dissipation."""
+
+import numpy as np
+from scipy.integrate import quad
+from scipy.optimize import brentq
+
+
+class Channel:
+    """A channel of half width h under the force G per volume, classical:
+    rate: the shear rate at a shear stress, as a function."""
+
+    def __init__(self, rate, G=1.0, h=1.0):
+        self.rate, self.G, self.h = rate, G, h
+
+    def u(self, y):
+        """Velocity at a distance from the middle."""
+        return quad(lambda z: self.rate(self.G*z), abs(y), self.h,
+                    epsabs=1e-14, epsrel=1e-12, limit=400)[0]
+
+    def flow(self):
+        """Flow rate of the whole width: integral of u, by parts."""
+        return 2*quad(lambda z: z*self.rate(self.G*z), 0, self.h,
+                      epsabs=1e-14, epsrel=1e-12, limit=400)[0]
+
+
+def bingham_rate(tauY, eta=1.0):
+    """Shear rate of a Bingham medium at a stress."""
+    return lambda tau: max(tau - tauY, 0)/eta
+
+
+def papanastasiou_rate(tauY, eps, eta=1.0):
+    """The same regularised; eps: small rate."""
+    def rate(tau):
+        if tau <= 0:
+            return 0.0
+        return brentq(lambda g: eta*g - tauY*np.expm1(-g/eps) - tau,
+                      0, tau/eta + 1e-300, xtol=1e-16, rtol=1e-14)
+    return rate
+
+
+def power_rate(n, K=1.0):
+    """Shear rate of a power law at a stress."""
+    return lambda tau: (tau/K)**(1/n)
+
+
+def layer_depth(a, q=1.0):
+    """H/R of the layer of unit yield stress that has the limit stress a
+    between walls without rotation; q = etaC/eta, M = 2 etaC R^2.
+
+    Of the couple stress m over R, with slope p = R dm/dy = 2 A R, yield is
+    (a - p/2)^2 + p^2/(4 q) + m^2/(2 q) = 1, R once taken out of y. m is zero in
+    the middle and largest at the wall, where omega is zero and the two roots
+    for p meet; the lower root is the branch between."""
+    def root(m):
+        # p^2 (1 + 1/q)/4 - a p + a^2 - 1 + m^2/(2 q) = 0
+        b = (1 + 1/q)/4
+        left = a**2 - 4*b*(a**2 - 1 + m**2/(2*q))
+        return (a - np.sqrt(np.maximum(left, 0)))/(2*b)
+
+    top = np.sqrt(2*q*(1 + a**2*(q/(1 + q) - 1)))
+    # dy = dm/p, smooth in sqrt(1 - m/top); the other half of the layer is odd
+    return 2*top*quad(lambda t: 2*t/root((1 - t**2)*top), 0, 1, epsabs=0,
+                      epsrel=1e-11, limit=1000)[0]
+
+
+def layer_stress(depth, q=1.0):
+    """Limit stress of the layer of unit yield stress, H/R = depth."""
+    return brentq(lambda a: layer_depth(a, q) - depth,
+                  1 + 1e-7, np.sqrt(1 + q)*(1 - 1e-12), xtol=1e-13)
+
+
+def _bears(f, depth, steps=20000):
+    """Can a channel, H/R = depth, bear the load f = G H/2 at unit yield
+    stress: is there a couple stress m(y) with (a - m'/2)^2 + m'^2/4
+    + m^2/(2 R^2) <= 1, a = G y?
+
+    At the wall m is at most what is left at m' = a; from there inwards it
+    falls as slowly as yield lets it, and is not to meet the lower limit.
+    (By Runge and Kutta; lengths in R.)"""
+    def limit(y):
+        return np.sqrt(max(2 - (2*f*y/depth)**2, 0))
+
+    def slope(y, m):
+        a = 2*f*y/depth
+        return a - np.sqrt(max(2 - a**2 - m**2, 0))
+
+    h = -0.5*depth/steps
+    m = limit(0.5*depth)*(1 - 1e-12)
+    for i in range(steps):
+        y = 0.5*depth + i*h
+        k1 = slope(y, m)
+        k2 = slope(y + h/2, m + h/2*k1)
+        k3 = slope(y + h/2, m + h/2*k2)
+        m += h/6*(k1 + 2*k2 + 2*k3 + slope(y + h, m + h*k3))
+        if m <= -limit(y + h):
+            return False
+    return True
+
+
+def channel_load(depth, steps=20000):
+    """Load f = G H/2 at which a channel of unit yield stress starts to flow,
+    walls without velocity and rotation, etaC = eta, H/R = depth."""
+    low, high = 1.0, np.sqrt(2)
+    if _bears(high*(1 - 1e-9), depth, steps):
+        return high
+    while high - low > 1e-7:
+        middle = 0.5*(low + high)
+        low, high = ((middle, high) if _bears(middle, depth, steps)
+                     else (low, middle))
+    return low

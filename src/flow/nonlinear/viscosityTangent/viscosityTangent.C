@@ -1,0 +1,182 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "viscosityTangent.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vector2D Foam::viscosityTangent::wallForce
+(
+    const operatorState& s,
+    const label f
+) const
+{
+    const planarFace& face = system_.faces()[f];
+    const vector2D F(system_.viscous().onWall(s, f, true));
+    const vector2D t(face.t());
+
+    switch (system_.boundary().velocity(system_.faces().boundaryOf(f)))
+    {
+        case flowBoundary::VELOCITY:
+        {
+            // Without what takes the traction from halfway to the wall
+            return F + 0.5*face.S/face.dc*(s.f[face.own] & t)*t;
+        }
+        case flowBoundary::TRACTION:
+        {
+            return (F & face.n)*face.n;
+        }
+        case flowBoundary::OPEN:
+        {
+            break;
+        }
+    }
+    return Zero;
+}
+
+
+void Foam::viscosityTangent::setCell
+(
+    const operatorState& s,
+    const label celli
+)
+{
+    moment_[celli] =
+        system_.rotationUndetermined(celli)
+      ? 0
+      : -4*system_.faces().V()[celli]*system_.coefficients().etaC(celli)
+       *s.relativeRotation(celli);
+}
+
+
+void Foam::viscosityTangent::setWall(const operatorState& s, const label f)
+{
+    force_[f] = wallForce(s, f);
+    if (!system_.cosserat())
+    {
+        return;
+    }
+
+    couple_[f] = 0;
+    if (system_.boundary().rotationFixed(system_.faces().boundaryOf(f)))
+    {
+        // What takes the couple from halfway to the wall is of the cell
+        const planarFace& face = system_.faces()[f];
+        const label P = face.own;
+        const scalar way =
+            2*system_.coefficients().etaC(P)*s.relativeRotation(P)
+           *face.S/face.dc;
+        couple_[f] = system_.viscous().coupleOnWall(s, f, true) - way;
+        moment_[P] += way;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::viscosityTangent::viscosityTangent
+(
+    const cosseratSystem& system,
+    const lawsInFlow& laws
+)
+:
+    system_(system),
+    laws_(laws),
+    force_(system.faces().nFaces()),
+    couple_(system.cosserat() ? system.faces().nFaces() : 0),
+    moment_(system.cosserat() ? system.nCells() : 0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::viscosityTangent::set(const operatorState& s)
+{
+    const faceGeometry& mesh = system_.faces();
+
+    forAll(moment_, celli)
+    {
+        setCell(s, celli);
+    }
+    mesh.forTwoSided
+    (
+        [&](const label f)
+        {
+            force_[f] = system_.viscous().onFace(s, f);
+            if (system_.cosserat())
+            {
+                couple_[f] = system_.viscous().coupleOnFace(s, f);
+            }
+        }
+    );
+    for (const label f : mesh.oneSided())
+    {
+        setWall(s, f);
+    }
+}
+
+
+void Foam::viscosityTangent::add
+(
+    const operatorState& direction,
+    scalarField& r
+) const
+{
+    const faceGeometry& mesh = system_.faces();
+    const unknowns& all = system_.layout();
+    const bool cosserat = system_.cosserat();
+
+    laws_.along(direction);
+    mesh.forTwoSided
+    (
+        [&](const label f)
+        {
+            const label P = mesh[f].own, N = mesh[f].nei;
+            const scalar phi = laws_.face(direction, f);
+            all.addForce(r, P, phi*force_[f]);
+            all.addForce(r, N, -phi*force_[f]);
+            if (cosserat)
+            {
+                all.addCouple(r, P, phi*couple_[f]);
+                all.addCouple(r, N, -phi*couple_[f]);
+            }
+        }
+    );
+    for (const label f : mesh.oneSided())
+    {
+        const label P = mesh[f].own;
+        const scalar phi = laws_.face(direction, f);
+        all.addForce(r, P, phi*force_[f]);
+        if (cosserat)
+        {
+            all.addCouple(r, P, phi*couple_[f]);
+        }
+    }
+    forAll(moment_, celli)
+    {
+        all.addCouple(r, celli, laws_.cell(celli)*moment_[celli]);
+    }
+}
+
+
+// ************************************************************************* //

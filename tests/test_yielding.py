@@ -1,0 +1,146 @@
+"""Media that yield, against the exact values of cosserat.yielding: each bound
+is below what one per cent in a constant makes of the value."""
+
+import numpy as np
+import pytest
+
+from cosserat import yielding
+from cosserat.scenes.yielding import (
+    set_law, solve, steps, strip, wall_stress)
+
+CLASSICAL = {"etaCRatio": 0, "R": 0, "B": "infinite"}
+COSSERAT = {"etaCRatio": 1, "R": 0.1, "B": "infinite"}
+PLASTIC = {"etaV": 100, "etaVP": 0.1}
+
+#: Law: its constants, and the stress at the shear rate 1 without pressure
+LAWS = {
+    "bingham": ({"etaP": 0.1, "tauY": 1, "eps": 0.01,
+                 "regularisation": "Papanastasiou"}, 1.1),
+    "powerLaw": ({"K": 2, "n": 0.5, "eps": 0.1}, 2*1.01**-0.25),
+    "herschelBulkley": ({"K": 2, "n": 0.5, "tauY": 1, "eps": 0.1,
+                         "regularisation": "BercovierEngelman"},
+                        2*1.01**-0.25 + 1.01**-0.5),
+    "vonMises": ({"tauY": 1, "branch": "harmonic", **PLASTIC},
+                 1/(1/100 + 1/1.1)),
+    "druckerPrager": ({"cohesion": 1, "angle": 30, "leastStress": 0.1,
+                       "branch": "minimum", **PLASTIC},
+                      (np.sqrt(0.75) + 0.1)/(1 + 0.1/100)),
+    "muI": ({"muS": 0.38, "deltaMu": 0.26, "I0": 0.3, "d": 0.01,
+             "rhoGrain": 2500, "leastPressure": 4, "eps": 0.1,
+             "regularisation": "BercovierEngelman"},
+            4*(0.38 + 0.26*0.25/0.55)*1.01**-0.5),
+}
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_classical_shear_of_each_law(tmp_path, law):
+    """Walls that turn with half the vorticity: the flow is uniform, and the
+    stress that of the law's formula."""
+    coeffs, stress = LAWS[law]
+    case = strip(tmp_path/"case", law, {**coeffs, **COSSERAT}, 8, V=1,
+                 omega=-0.5, tolerance=1e-13)
+    cells, _ = solve(case)
+    assert np.abs(cells["U"][:, 0] - cells["y"]).max() < 1e-12
+    assert np.abs(cells["omega"] + 0.5).max() < 1e-12
+    assert abs(wall_stress(case)/stress - 1) < 1e-10
+
+
+@pytest.mark.parametrize("law, coeffs, rate", [
+    ("bingham", {"etaP": 1, "tauY": 0.5, "eps": 1e-2,
+                 "regularisation": "Papanastasiou"},
+     yielding.papanastasiou_rate(0.5, 1e-2)),
+    ("powerLaw", {"K": 1, "n": 0.5, "eps": 1e-6}, yielding.power_rate(0.5)),
+])
+def test_channel(tmp_path, law, coeffs, rate):
+    """Flow rates of channels, and their order; Newton's method converges."""
+    exact = yielding.Channel(rate, G=2, h=0.5).flow()
+    errors = []
+    for n in (16, 32):
+        cells, did = solve(strip(tmp_path/str(n), law, {**coeffs, **CLASSICAL},
+                                 n, G=2))
+        errors.append((cells["U"][:, 0]*cells["h"]).sum()/exact - 1)
+        assert did["nonlinear"] <= 11
+    assert abs(errors[1]) < 1e-4
+    assert abs(errors[1]) < abs(errors[0])/4
+
+
+@pytest.mark.parametrize("q", [0.25, 1, 4])
+def test_limit_stress_of_a_layer(tmp_path, q):
+    """Rough walls make a layer stronger, by the Cosserat viscosity."""
+    case = strip(tmp_path/"case", "bingham", {
+        "etaP": 1e-5, "tauY": 1, "regularisation": "BercovierEngelman",
+        "eps": 1e-4, "etaCRatio": q, "R": 0.1, "B": "infinite"},
+        96, V=1, grading=10)
+    _, did = solve(case)
+    assert abs(wall_stress(case)/yielding.layer_stress(10, q) - 1) < 2e-3
+    assert did["nonlinear"] <= 15
+
+
+@pytest.mark.parametrize("depth, a", [(1, 1.332227), (10, 1.045644)])
+def test_exact_layer(depth, a):
+    """The integral in closed form for etaC = eta."""
+    assert abs(yielding.layer_stress(depth) - a) < 1e-6
+    c = np.sqrt(2 - a**2)
+    closed = -np.pi + 4*a/np.sqrt(a**2 - c**2)*np.arctan(
+        np.sqrt((a + c)/(a - c)))
+    assert abs(closed/depth - 1) < 1e-4
+
+
+@pytest.mark.parametrize("times, exponent", [(0.9, -1), (1.1, 0)])
+def test_arrest_of_a_channel(tmp_path, times, exponent):
+    """Below the load at which it flows the speed is that of a creep, inverse
+    to the viscosity at rest, and above it does not depend on it."""
+    load = times*yielding.channel_load(10, 2000)
+    speeds = []
+    for rest in (1e4, 1e6):
+        cells, _ = solve(strip(tmp_path/f"{rest}", "bingham", {
+            "etaP": 1, "tauY": 1, "regularisation": "BercovierEngelman",
+            "eps": 1/rest, **COSSERAT}, 64, G=2*load, grading=10))
+        speeds.append(cells["U"][:, 0].max())
+    measured = np.log(speeds[1]/speeds[0])/np.log(100)
+    assert abs(measured - exponent) < 0.02
+
+
+def test_parts_of_a_mesh(tmp_path):
+    """On two ranks the steps and the flow are those of one."""
+    runs = []
+    for ranks in (1, 2):
+        case = strip(tmp_path/f"on{ranks}", "bingham", {
+            **LAWS["bingham"][0], **COSSERAT}, 24, V=1, grading=10)
+        case.solve(ranks, n="(1 2 1)")
+        runs.append((case.field("omega"), steps(case.log())["nonlinear"]))
+    assert np.abs(runs[0][0] - runs[1][0]).max() < 1e-6
+    assert runs[0][1] == runs[1][1]
+
+
+def test_softening_asks_for_its_field(tmp_path):
+    """One that is not there is an error, with those that are."""
+    case = strip(tmp_path/"case", "bingham", {
+        **LAWS["bingham"][0], **COSSERAT, "softening": {
+            "field": "strain", "from": 0, "to": 1, "factor": 0.5}}, 4, V=1)
+    done = case.run("cosseratPicFoam", check=False)
+    assert done.returncode and "No field strain" in done.stdout
+
+
+@pytest.mark.parametrize("entry, value, said", [
+    ("tauY", "-1", "tauY"), ("eps", "0", "eps"),
+    ("regularisation", "none", "BercovierEngelman"),
+    ("softening", {"field": "a", "from": 1, "to": 1, "factor": 2},
+     "more than from"),
+])
+def test_wrong_constants_are_refused(tmp_path, entry, value, said):
+    """By the entry, and what is allowed."""
+    coeffs = {**LAWS["bingham"][0], **COSSERAT, entry: value}
+    case = strip(tmp_path/"case", "bingham", LAWS["bingham"][0], 4)
+    set_law(case, "bingham", **coeffs)
+    done = case.run("cosseratPicFoam", check=False)
+    assert done.returncode and said in done.stdout
+
+
+def test_a_solve_that_does_not_converge_stops(tmp_path):
+    """With the nonlinear residual that it has left."""
+    coeffs = {**LAWS["bingham"][0], **COSSERAT}
+    case = strip(tmp_path/"case", "bingham", coeffs, 16, V=1, method="Picard",
+                 maxIter=2)
+    done = case.run("cosseratPicFoam", check=False)
+    assert done.returncode and "do not agree after 2 steps" in done.stdout

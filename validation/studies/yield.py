@@ -1,0 +1,130 @@
+"""Layers and channels of media that yield, against exact values; steps and
+iterations of the methods that solve for them."""
+
+import numpy as np
+
+from cosserat import yielding
+from cosserat.case import RunError
+from cosserat.scenes.yielding import solve, strip, wall_stress
+from studies.common import HERE
+
+CLASSICAL = {"etaCRatio": 0, "R": 0, "B": "infinite"}
+
+
+def run(name, law, coeffs, n, **parameters):
+    """A strip in runs/yield, its cells and costs."""
+    case = strip(HERE/"runs/yield"/name, law, coeffs, n, **parameters)
+    return case, *solve(case)
+
+
+def row(test, parameters, cells, value, reference, did, order=None):
+    """A row of the study."""
+    return {"test": test, "parameters": parameters, "cells": cells,
+            "value": value, "reference": reference,
+            "error": None if value is None else value/reference - 1,
+            "order": order,
+            "nonlinear": did["nonlinear"], "linear": did["linear"],
+            "cpu": did["cpu"]}
+
+
+def channels():
+    """Flow rates of channels of unit yield or power law."""
+    scenes = [(f"Papanastasiou, eps {eps}", "bingham",
+               {"etaP": 1, "tauY": 0.5, "eps": eps,
+                "regularisation": "Papanastasiou"},
+               yielding.papanastasiou_rate(0.5, eps))
+              for eps in (0.1, 0.01, 0.001)]
+    scenes += [(f"Bingham, eps 1e-4, tauY {tauY}", "bingham",
+                {"etaP": 1, "tauY": tauY, "eps": 1e-4,
+                 "regularisation": "Papanastasiou"},
+                yielding.bingham_rate(tauY)) for tauY in (0.25, 0.5, 0.75)]
+    scenes += [(f"power law, n {n}", "powerLaw",
+                {"K": 1, "n": n, "eps": 1e-6}, yielding.power_rate(n))
+               for n in (0.25, 0.5, 2)]
+    for name, law, coeffs, rate in scenes:
+        exact = yielding.Channel(rate, G=2, h=0.5).flow()
+        last = None
+        for n in (16, 32, 64, 128):
+            _, cells, did = run("channel", law, {**coeffs, **CLASSICAL}, n, G=2,
+                                continuation="(100 10 1)")
+            now = row("channel", name, n,
+                      float((cells["U"][:, 0]*cells["h"]).sum()), exact, did)
+            if last:
+                now["order"] = float(np.log2(abs(last["error"]/now["error"])))
+            last = now
+            yield now
+
+
+def layers():
+    """Limit stresses of layers."""
+    for q in (0.25, 1, 4):
+        for depth in (1, 10, 50):
+            for n in (48, 96, 192):
+                case, _, did = run("layer", "bingham", {
+                    "etaP": 1e-5, "tauY": 1, "eps": 1e-4,
+                    "regularisation": "BercovierEngelman", "etaCRatio": q,
+                    "R": 1/depth, "B": "infinite"}, n, V=1, grading=10)
+                yield row("layer", f"etaC/eta {q}, H/R {depth}", n,
+                          wall_stress(case), yielding.layer_stress(depth, q),
+                          did)
+
+
+def creep(depth, times, rest):
+    """Speed of a channel at a multiple of the load at which it flows."""
+    load = times*yielding.channel_load(depth, 4000)
+    _, cells, did = run("arrest", "bingham", {
+        "etaP": 1, "tauY": 1, "regularisation": "BercovierEngelman",
+        "eps": 1/rest, "etaCRatio": 1, "R": 1/depth, "B": "infinite"},
+        96, G=2*load, grading=10)
+    return float(cells["U"][:, 0].max()), did
+
+
+def arrest():
+    """Speed times viscosity at rest below the load, and the load at which the
+    speed goes with its square root."""
+    for depth in (10, 20, 50):
+        for times in (0.8, 0.9, 1.05, 1.1):
+            first = None
+            for rest in (1e3, 1e4, 1e5, 1e6):
+                speed, did = creep(depth, times, rest)
+                value = speed*rest if times < 1 else speed
+                first = first or value
+                yield row("arrest", f"H/R {depth}, {times} of the load, rest"
+                          f" {rest:g}", 96, value, first, did)
+        low, high, load = 0.97, 1.03, yielding.channel_load(depth, 4000)
+        while high - low > 1e-3:
+            times = 0.5*(low + high)
+            one, _ = creep(depth, times, 1e5)
+            two, did = creep(depth, times, 1e6)
+            flows = np.log10(one/two) < 0.5
+            low, high = (low, times) if flows else (times, high)
+        yield row("load", f"H/R {depth}", 96, times*load, load, did)
+
+
+def methods():
+    """Steps of a layer that yields everywhere, by method, search, rate of
+    regularisation and mesh; none where they do not converge."""
+    for method, search in (("Newton", "work"), ("Newton", "residual"),
+                           ("Newton", "none"), ("stressVelocity", "work"),
+                           ("stressVelocity", "none"), ("Picard", "work")):
+        for eps in (1e-2, 1e-3, 1e-4):
+            for n in (32, 64, 128, 256):
+                value, did = None, dict.fromkeys(("nonlinear", "linear",
+                                                    "cpu"))
+                try:
+                    case, _, did = run("method", "bingham", {
+                        "etaP": eps/10, "tauY": 1, "eps": eps, "R": 0.1,
+                        "regularisation": "BercovierEngelman", "etaCRatio": 1,
+                        "B": "infinite"}, n, V=1, grading=10, method=method,
+                        lineSearch=search)
+                    value = wall_stress(case)
+                except RunError:
+                    pass
+                yield row("method", f"{method}, {search}, eps {eps:g}", n,
+                          value, yielding.layer_stress(10), did)
+
+
+def study():
+    """Rows: test, parameters, cells, value, reference, error (relative), order,
+    nonlinear (steps), linear (iterations), cpu (s)."""
+    return [*channels(), *layers(), *arrest(), *methods()]
