@@ -23,6 +23,8 @@ TABLES = {
     "pointProperty": "property",
     "flowPreconditioner": "block",
     "sparseFactorisation": None,
+    # Of refineSceneDict, test_refinement.py
+    "cellSelection": None,
 }
 
 ENTRIES = list(schemes.chosen(Case(TUTORIALS/"schemes")))

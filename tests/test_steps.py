@@ -13,6 +13,7 @@ from cosserat.scenes.silo import mesh_entries
 #: Cells by tutorial; without an entry as they are
 MESH = {
     "annularCouette": {"nAcross": 8, "nQuarter": 12},
+    "bandedLayer": {"n": 24},
     "cavity": {"n": 16},
     "columnSlump": {"nx": 16, "ny": 8},
     "dune": {"nx": 32, "ny": 16},

@@ -35,6 +35,12 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
+
+//- Cells in one step above which a point is not tracked
+static const Foam::scalar mostCells = 1e6;
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::materialPoint::startPart(const scalar begin, const scalar courant)
@@ -43,6 +49,12 @@ void Foam::materialPoint::startPart(const scalar begin, const scalar courant)
     // too far: points gather there
     const scalar most = 1;
     const scalar left = 1 - begin;
+
+    // Not a number neither; parts would get lost in the rounding of the step
+    if (!(courant < mostCells))
+    {
+        lost("the way of its step is more than a million cells");
+    }
 
     begin_ = begin;
     part_ = left/max(std::ceil(left*courant/most), scalar(1));

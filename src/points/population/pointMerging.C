@@ -66,7 +66,7 @@ namespace Foam
             )
             {
                 const scalar s = spread(p, *other);
-                if (s < least)
+                if (s*(1 + 1e-9) < least)
                 {
                     least = s;
                     best = other;
@@ -127,7 +127,12 @@ bool Foam::pointMerging::mergeClosest
             const scalar lost =
                 a.volume()*b.volume()/volume*magSqr(places[i] - places[j]);
 
-            if (lost < least && volume <= largest && sameKind(a, b))
+            if
+            (
+                lost*(1 + 1e-9) < least
+             && volume <= largest
+             && sameKind(a, b)
+            )
             {
                 least = lost;
                 stays = a.volume() < b.volume() ? &b : &a;

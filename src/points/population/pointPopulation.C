@@ -134,7 +134,7 @@ Foam::label Foam::pointPopulation::splitFew(cellPoints& points) const
             materialPoint* largest = here[0];
             for (materialPoint* p : here)
             {
-                largest = p->volume() > largest->volume() ? p : largest;
+                largest = p->volume() > margin*largest->volume() ? p : largest;
             }
             here.append(splitting_.split(points.cloud(), *largest, here));
             ++nAdded;

@@ -33,6 +33,20 @@ namespace Foam
     //- Fills that call for a change, and the least difference of two
     static const scalar low = 0.6, high = 1.7, differ = 0.05;
 
+    //- What is not larger by more than this is equal, on any computer
+    static const scalar more = 1 + 1e-9;
+
+    //- Fills of which those that are equal but for rounding are equal
+    static tmp<scalarField> rounded(const tmp<scalarField>& fill)
+    {
+        tmp<scalarField> tresult(new scalarField(fill));
+        for (scalar& f : tresult.ref())
+        {
+            f = 1e-9*std::round(1e9*f);
+        }
+        return tresult;
+    }
+
     static bool anyCoupled(const polyMesh& mesh)
     {
         for (const polyPatch& pp : mesh.boundaryMesh())
@@ -164,13 +178,13 @@ Foam::scalarList Foam::volumeBalance::give
     for (materialPoint* p : points)
     {
         const scalar distance = magSqr(p->position() - place);
-        if (p->volume() >= 2*volume && distance < nearest)
+        if (more*p->volume() >= 2*volume && more*distance < nearest)
         {
             nearest = distance;
             giver = p;
             enough = true;
         }
-        else if (!enough && p->volume() > giver->volume())
+        else if (!enough && p->volume() > more*giver->volume())
         {
             giver = p;
         }
@@ -382,7 +396,7 @@ Foam::label Foam::volumeBalance::apply
     for (label pass = 0; pass < nPasses; ++pass)
     {
         // Most steps end here: no cell to be mended
-        const scalarField fill(filled/V);
+        const scalarField fill(rounded(filled/V));
         const scalar least = gMin(fill);
         if
         (
