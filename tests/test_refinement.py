@@ -138,8 +138,7 @@ def run_fixture(tmp_path_factory):
         "adjustTimeStep": "no", "startFrom": "latestTime"})
     case.measure("error", "errorIndicator", "executeControl writeTime;"
                  " writeControl writeTime;")
-    case.override("points", properties="{ strain { type accumulatedStrain; } }",
-                  velocity="cellPoint")
+    case.override("points", properties="{ strain { type accumulatedStrain; } }")
     case.run("blockMesh")
     case.run("cosseratPicFoam")
     return case

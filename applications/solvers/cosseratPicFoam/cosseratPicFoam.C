@@ -59,6 +59,7 @@ SourceFiles
     checkTimeControls.H
     continuedTime.C
     createCaseMesh.H
+    createCourantNo.H
     createFields.H
     createGravity.H
     createPoints.H
@@ -115,6 +116,7 @@ int main(int argc, char *argv[])
     #include "createFields.H"
     unreadFiles::report(materials, points.valid());
     progress done(runTime);
+    const scalar typicalVolume = planarCells::typicalVolume(mesh);
     const scalar typicalSize = planarCells::typicalSize(mesh);
     flow.solve();
     if (points.valid())

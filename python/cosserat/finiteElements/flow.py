@@ -43,6 +43,23 @@ def _value(given, x, y):
     return np.broadcast_to(np.asarray(value, float), np.shape(x))
 
 
+def strains(gradients, values):
+    """u,x; v,y; u,y + v,x; s; omega,x; omega,y of each unknown (u, v, omega)
+    of a cell: (cells, points, 6, unknowns)."""
+    E = np.zeros(gradients.shape[:2] + (6, gradients.shape[2], 3))
+    x, y = gradients[..., 0], gradients[..., 1]
+    E[:, :, 0, :, 0] = x
+    E[:, :, 1, :, 1] = y
+    E[:, :, 2, :, 0] = y
+    E[:, :, 2, :, 1] = x
+    E[:, :, 3, :, 0] = 0.5*y
+    E[:, :, 3, :, 1] = -0.5*x
+    E[:, :, 3, :, 2] = values
+    E[:, :, 4, :, 2] = x
+    E[:, :, 5, :, 2] = y
+    return E.reshape(E.shape[:3] + (-1,))
+
+
 class Flow:
     """Solution of the balances of momentum, moment and mass.
 
@@ -102,29 +119,13 @@ class Flow:
         return monomials(np.einsum("cda,cqd->cqa", np.linalg.inv(J), x),
                          self.degree - 1)
 
-    def _strains(self, grads, values):
-        """u,x; v,y; u,y + v,x; s; omega,x; omega,y of each unknown (u, v,
-        omega) of a cell: (cells, points, 6, unknowns)."""
-        E = np.zeros(grads.shape[:2] + (6, grads.shape[2], 3))
-        x, y = grads[..., 0], grads[..., 1]
-        E[:, :, 0, :, 0] = x
-        E[:, :, 1, :, 1] = y
-        E[:, :, 2, :, 0] = y
-        E[:, :, 2, :, 1] = x
-        E[:, :, 3, :, 0] = 0.5*y
-        E[:, :, 3, :, 1] = -0.5*x
-        E[:, :, 3, :, 2] = values
-        E[:, :, 4, :, 2] = x
-        E[:, :, 5, :, 2] = y
-        return E.reshape(E.shape[:3] + (-1,))
-
     def _assemble(self):
         xi, weights = gauss(self.degree + 2)
         grads, det = self._geometry(xi)
         values = self.shape.values(xi)
         volume = det*weights
         cells, terms = len(grads), self.degree*(self.degree + 1)//2
-        E = self._strains(grads, values)
+        E = strains(grads, values)
         moduli = np.stack([2*self.eta, 2*self.eta, self.eta, 4*self.etaC,
                            self.M, self.M], -1)
         flat = E.reshape(cells, -1, E.shape[-1])

@@ -8,6 +8,8 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import splu
 
+from cosserat.finiteElements.flow import strains
+
 #: Barycentric coordinates and weights (of area 1/2) that integrate degree 4
 _A, _B = 0.445948490915965, 0.091576213509771
 PLACES = np.array([np.roll([1 - 2*a, a, a], k)
@@ -52,19 +54,6 @@ class Triangles:
                                          len(self.points) + found]))
 
 
-def _strains(gradients, values):
-    """u,x; v,y; u,y + v,x; s; omega,x; omega,y of the unknowns (u, v, omega)
-    of a triangle: (triangles, places, 6, unknowns)."""
-    n = gradients.shape[:2]
-    E = np.zeros(n + (6, 6, 3))
-    x, y = gradients[..., 0], gradients[..., 1]
-    E[:, :, 0, :, 0] = E[:, :, 2, :, 1] = E[:, :, 4, :, 2] = x
-    E[:, :, 1, :, 1] = E[:, :, 2, :, 0] = E[:, :, 5, :, 2] = y
-    E[:, :, 3, :, 0], E[:, :, 3, :, 1] = 0.5*y, -0.5*x
-    E[:, :, 3, :, 2] = values
-    return E.reshape(n + (6, 18))
-
-
 def solve(mesh, material, force, held):
     """Velocities (n, 2) of the corners and the power [W/m] of the force.
 
@@ -83,7 +72,7 @@ def solve(mesh, material, force, held):
     gradients = np.einsum("qna,cad->cqnd", slopes, np.linalg.inv(J))
     w = WEIGHTS*area[:, None]
 
-    E = _strains(gradients, values)
+    E = strains(gradients, values)
     stiffness = np.array([2*eta, 2*eta, eta, 4*etaC, M, M])
     K = np.einsum("cqei,e,cq,cqej->cij", E, stiffness, w, E, optimize=True)
     B = -np.einsum("qp,cq,cqi->cpi", PLACES, w, E[:, :, 0] + E[:, :, 1])

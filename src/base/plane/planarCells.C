@@ -69,18 +69,28 @@ Foam::labelPair Foam::planarCells::axes(const polyMesh& mesh)
 }
 
 
+Foam::scalar Foam::planarCells::typicalVolume(const fvMesh& mesh)
+{
+    const scalarField& V = mesh.V();
+
+    return gSum(sqr(V))/gSum(V);
+}
+
+
 Foam::scalar Foam::planarCells::typicalSize(const fvMesh& mesh)
 {
     const labelPair across(axes(mesh));
     const scalar depth =
         mesh.bounds().span()[3 - across.first() - across.second()];
-    const scalarField& V = mesh.V();
-
-    return Foam::sqrt(gSum(sqr(V))/gSum(V)/depth);
+    return Foam::sqrt(typicalVolume(mesh)/depth);
 }
 
 
-Foam::labelList Foam::planarCells::turns(const UList<point>& corners)
+Foam::labelList Foam::planarCells::turns
+(
+    const UList<point>& corners,
+    const scalar smallest
+)
 {
     DynamicList<label> turns(corners.size());
 
@@ -88,7 +98,11 @@ Foam::labelList Foam::planarCells::turns(const UList<point>& corners)
     {
         const vector before(corners[i] - corners[corners.rcIndex(i)]);
         const vector after(corners[corners.fcIndex(i)] - corners[i]);
-        if (mag(before ^ after) > 1e-3*mag(before)*mag(after))
+        if
+        (
+            mag(before ^ after) > smallest*mag(before)*mag(after)
+         || (before & after) < 0
+        )
         {
             turns.append(i);
         }

@@ -81,13 +81,7 @@ void Foam::functionObjects::pointStatistics::volumes
 
 Foam::label Foam::functionObjects::pointStatistics::coincident() const
 {
-    const labelList& count = cloud().census().count();
-    labelList start(count.size() + 1, Zero);
-    forAll(count, celli)
-    {
-        start[celli + 1] = start[celli] + count[celli];
-    }
-
+    const labelList start(cloud().census().starts());
     labelList next(start);
     List<point> places(start.last());
     for (const materialPoint& p : cloud())
@@ -97,7 +91,7 @@ Foam::label Foam::functionObjects::pointStatistics::coincident() const
 
     // A millionth of a cell apart is the same place
     label n = 0;
-    forAll(count, celli)
+    forAll(mesh_.V(), celli)
     {
         const scalar near = 1e-6*Foam::cbrt(mesh_.V()[celli]);
         for (label i = start[celli]; i < start[celli + 1]; ++i)

@@ -276,6 +276,12 @@ Foam::tmp<Foam::scalarField> Foam::materialPointCloud::courant
         0.5*dt/mesh_.V()
        *fvc::surfaceSum(mag(coupling_->phi()))().primitiveField();
 
+    // Points do the step in one part then
+    if (gMax(courant) <= 1)
+    {
+        return tcourant;
+    }
+
     // Points ahead of smaller cells cross those as well
     const scalarField own(courant);
     scalarList beyond;

@@ -45,9 +45,6 @@ static const Foam::scalar mostCells = 1e6;
 
 void Foam::materialPoint::startPart(const scalar begin, const scalar courant)
 {
-    // More than a cell of a flow that turns within cells, as at corners, is
-    // too far: points gather there
-    const scalar most = 1;
     const scalar left = 1 - begin;
 
     // Not a number neither; parts would get lost in the rounding of the step
@@ -56,8 +53,10 @@ void Foam::materialPoint::startPart(const scalar begin, const scalar courant)
         lost("the way of its step is more than a million cells");
     }
 
+    // More than a cell of a flow that turns within cells, as at corners, is
+    // too far: points gather there
     begin_ = begin;
-    part_ = left/max(std::ceil(left*courant/most), scalar(1));
+    part_ = left/max(std::ceil(left*courant), scalar(1));
     stage_ = -1;
     travelled_ = Zero;
     sum_ = Zero;

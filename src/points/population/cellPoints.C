@@ -28,14 +28,7 @@ License
 
 void Foam::cellPoints::sort()
 {
-    const labelList& count = cloud_.census().count();
-    start_.setSize(count.size() + 1);
-    start_[0] = 0;
-    forAll(count, celli)
-    {
-        start_[celli + 1] = start_[celli] + count[celli];
-    }
-
+    start_ = cloud_.census().starts();
     sorted_.setSize(start_.last());
     labelList next(start_);
     for (materialPoint& p : cloud_)

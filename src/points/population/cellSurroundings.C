@@ -142,7 +142,7 @@ Foam::point Foam::cellSurroundings::place
         {
             nearest = min(nearest, magSqr(other - p));
         }
-        if (nearest > farthest*(1 + 1e-9))
+        if (nearest > more*farthest)
         {
             farthest = nearest;
             best = p;

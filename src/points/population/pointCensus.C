@@ -25,6 +25,26 @@ License
 #include "cellPoints.H"
 #include "materialPointCloud.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::pointCensus::clear(const label celli)
+{
+    count_[celli] = 0;
+    filled_[celli] = 0;
+    least_[celli] = GREAT;
+    most_[celli] = 0;
+}
+
+
+void Foam::pointCensus::add(const label celli, const scalar volume)
+{
+    ++count_[celli];
+    filled_[celli] += volume;
+    least_[celli] = min(least_[celli], volume);
+    most_[celli] = max(most_[celli], volume);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::pointCensus::pointCensus()
@@ -39,26 +59,20 @@ void Foam::pointCensus::take(const materialPointCloud& cloud)
 {
     const label nCells = cloud.pMesh().nCells();
     count_.setSize(nCells);
-    count_ = 0;
     filled_.setSize(nCells);
-    filled_ = 0;
     least_.setSize(nCells);
-    least_ = GREAT;
     most_.setSize(nCells);
-    most_ = 0;
+    for (label celli = 0; celli < nCells; ++celli)
+    {
+        clear(celli);
+    }
     volume_.setSize(cloud.materials().size());
     volume_ = 0;
 
     for (const materialPoint& p : cloud)
     {
-        const label celli = p.cell();
-        const scalar V = p.volume();
-
-        ++count_[celli];
-        filled_[celli] += V;
-        least_[celli] = min(least_[celli], V);
-        most_[celli] = max(most_[celli], V);
-        volume_[p.material()] += V;
+        add(p.cell(), p.volume());
+        volume_[p.material()] += p.volume();
     }
 
     nPoints_ = cloud.nPoints();
@@ -70,20 +84,24 @@ void Foam::pointCensus::update(const cellPoints& points)
 {
     forAllConstIters(points.asked(), iter)
     {
-        const label celli = iter.key();
-        count_[celli] = iter().size();
-        filled_[celli] = 0;
-        least_[celli] = GREAT;
-        most_[celli] = 0;
-
+        clear(iter.key());
         for (const materialPoint* p : iter())
         {
-            const scalar V = p->volume();
-            filled_[celli] += V;
-            least_[celli] = min(least_[celli], V);
-            most_[celli] = max(most_[celli], V);
+            add(iter.key(), p->volume());
         }
     }
+}
+
+
+Foam::labelList Foam::pointCensus::starts() const
+{
+    labelList starts(count_.size() + 1);
+    starts[0] = 0;
+    forAll(count_, celli)
+    {
+        starts[celli + 1] = starts[celli] + count_[celli];
+    }
+    return starts;
 }
 
 

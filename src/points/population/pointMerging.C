@@ -66,7 +66,7 @@ namespace Foam
             )
             {
                 const scalar s = spread(p, *other);
-                if (s*(1 + 1e-9) < least)
+                if (cellSurroundings::more*s < least)
                 {
                     least = s;
                     best = other;
@@ -129,7 +129,7 @@ bool Foam::pointMerging::mergeClosest
 
             if
             (
-                lost*(1 + 1e-9) < least
+                cellSurroundings::more*lost < least
              && volume <= largest
              && sameKind(a, b)
             )

@@ -134,7 +134,8 @@ Foam::label Foam::pointPopulation::splitFew(cellPoints& points) const
             materialPoint* largest = here[0];
             for (materialPoint* p : here)
             {
-                largest = p->volume() > margin*largest->volume() ? p : largest;
+                largest = p->volume() > cellSurroundings::more*largest->volume()
+                  ? p : largest;
             }
             here.append(splitting_.split(points.cloud(), *largest, here));
             ++nAdded;

@@ -80,7 +80,7 @@ Foam::vector Foam::pointSplitting::way
                     nearest = min(nearest, magSqr(places[i] - middle + d));
                 }
             }
-            if (nearest > farthest*(1 + 1e-9))
+            if (nearest > cellSurroundings::more*farthest)
             {
                 farthest = nearest;
                 best = d;

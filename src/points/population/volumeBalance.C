@@ -33,9 +33,6 @@ namespace Foam
     //- Fills that call for a change, and the least difference of two
     static const scalar low = 0.6, high = 1.7, differ = 0.05;
 
-    //- What is not larger by more than this is equal, on any computer
-    static const scalar more = 1 + 1e-9;
-
     //- Fills of which those that are equal but for rounding are equal
     static tmp<scalarField> rounded(const tmp<scalarField>& fill)
     {
@@ -178,13 +175,21 @@ Foam::scalarList Foam::volumeBalance::give
     for (materialPoint* p : points)
     {
         const scalar distance = magSqr(p->position() - place);
-        if (more*p->volume() >= 2*volume && more*distance < nearest)
+        if
+        (
+            cellSurroundings::more*p->volume() >= 2*volume
+         && cellSurroundings::more*distance < nearest
+        )
         {
             nearest = distance;
             giver = p;
             enough = true;
         }
-        else if (!enough && p->volume() > more*giver->volume())
+        else if
+        (
+            !enough
+         && p->volume() > cellSurroundings::more*giver->volume()
+        )
         {
             giver = p;
         }

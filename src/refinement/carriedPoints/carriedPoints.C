@@ -49,10 +49,9 @@ Foam::label Foam::carriedPoints::partAt
     const point& p
 ) const
 {
-    const labelPair axes(planarCells::axes(mesh_));
     for (const label celli : parts)
     {
-        if (planarCells::contains(axes, cells.corners(celli), p))
+        if (planarCells::contains(axes_, cells.corners(celli), p))
         {
             return celli;
         }
@@ -92,8 +91,7 @@ void Foam::carriedPoints::split
 )
 {
     const carried whole(points_[pointi]);
-    const labelPair axes(planarCells::axes(mesh_));
-    const direction normal = 3 - axes.first() - axes.second();
+    const direction normal = 3 - axes_.first() - axes_.second();
     const scalar size = Foam::sqrt
     (
         volume_[whole.from]*whole.share/mesh_.bounds().span()[normal]
@@ -107,8 +105,8 @@ void Foam::carriedPoints::split
 
         const scalar angle = constant::mathematical::twoPi*(i + 0.5)/n;
         vector way(Zero);
-        way[axes.first()] = Foam::cos(angle)*size*Foam::sqrt(2.0)/4;
-        way[axes.second()] = Foam::sin(angle)*size*Foam::sqrt(2.0)/4;
+        way[axes_.first()] = Foam::cos(angle)*size*Foam::sqrt(2.0)/4;
+        way[axes_.second()] = Foam::sin(angle)*size*Foam::sqrt(2.0)/4;
 
         label celli = -1;
         for (label k = 0; k < mostShorter && celli < 0; ++k)
@@ -204,6 +202,7 @@ void Foam::carriedPoints::shareOut
 Foam::carriedPoints::carriedPoints(const fvMesh& mesh)
 :
     mesh_(mesh),
+    axes_(planarCells::axes(mesh)),
     time_(mesh.time().timeName())
 {
     const word& name = materialPointCloud::cloudName;

@@ -23,6 +23,7 @@ License
 
 #include "planarLoops.H"
 #include "emptyPolyPatch.H"
+#include "planarCells.H"
 #include "unitConversion.H"
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
@@ -129,18 +130,10 @@ Foam::planarLoops::loop Foam::planarLoops::outline(const label celli) const
         }
     }
 
-    DynamicList<label> corners(n);
-    for (label i = 0; i < n; ++i)
-    {
-        const point& p = mesh_.points()[cell.points[i]];
-        const vector a(p - mesh_.points()[cell.points[(i + n - 1) % n]]);
-        const vector b(mesh_.points()[cell.points[(i + 1) % n]] - p);
-        if (mag(a ^ b) > smallestTurn*mag(a)*mag(b) || (a & b) < 0)
-        {
-            corners.append(i);
-        }
-    }
-    cell.corners.transfer(corners);
+    cell.corners = planarCells::turns
+    (
+        pointField(mesh_.points(), cell.points), smallestTurn
+    );
 
     return cell;
 }

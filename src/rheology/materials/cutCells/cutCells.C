@@ -109,7 +109,7 @@ Foam::cutCells::layers Foam::cutCells::pure
     const scalar etaC = law.M().value() > 0 ? law.etaC()[celli] : 0;
     const scalar es = law.followsFlow() ? etaC : min(etaC, eta);
 
-    return {eta, eta + es, eta - es, es, etaC, law.M()[celli], -1};
+    return composed(eta, es, etaC, law.M()[celli]);
 }
 
 
@@ -281,19 +281,16 @@ void Foam::cutCells::setMixed(const fvMesh& mesh)
 Foam::cutCells::layers Foam::cutCells::mixture(const label celli) const
 {
     const scalarField& fraction = fraction_[row_[celli]];
-    layers sum = {0, 0, 0, 0, 0, 0, -1};
+    scalar eta = 0, etaC = 0, M = 0;
     forAll(fraction, m)
     {
         const layers l(pure(m, celli));
-        sum.eta += fraction[m]*l.eta;
-        sum.etaC += fraction[m]*l.etaC;
-        sum.M += fraction[m]*l.M;
+        eta += fraction[m]*l.eta;
+        etaC += fraction[m]*l.etaC;
+        M += fraction[m]*l.M;
     }
-    sum.es = min(sum.etaC, sum.eta);
-    sum.a = sum.eta + sum.es;
-    sum.b = sum.eta - sum.es;
 
-    return sum;
+    return composed(eta, min(etaC, eta), etaC, M);
 }
 
 
