@@ -182,6 +182,8 @@ TUTORIALS = {
     "sinkingInclusion, fall": Reference(0.26458, "m", 1e-3, _TUTORIALS),
     # Mean pressure of the feed beside that of the weight, at the start
     "hopper": Reference(24099.6, "Pa", 0.5, _TUTORIALS),
+    # Old material left after 10 s of a fresh one that is as viscous
+    "hopper, washout": Reference(0.16636, "m2", 2e-5, _TUTORIALS),
     "hopper, R 0.5": Reference(33271.0, "Pa", 1.0, _TUTORIALS),
     # Flow rate through the aperture at the start
     "silo": SILO["start, 2/3"],
