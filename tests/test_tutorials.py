@@ -231,9 +231,9 @@ def test_eccentric_cylinders(tmp_path):
     assert eccentric(tmp_path/"faster", U={"omega": 1.02}) > 1.05e-2
 
 
-def copy_template(target):
+def copy_template(target, name="template"):
     """What cp -r of a clean checkout copies."""
-    shutil.copytree(TUTORIALS/"template", target, ignore=
+    shutil.copytree(TUTORIALS/name, target, ignore=
                     shutil.ignore_patterns("[1-9]*", "0", "log.*", "results",
                                            "postProcessing", "polyMesh"))
 
@@ -251,6 +251,23 @@ def test_template_becomes_a_case(tmp_path):
     assert "\nEnd\n" in case.log()
     energy, work = lost_height(case, 1, 1600, 10)
     assert energy == pytest.approx(work, rel=5e-3)
+
+
+#: Its minute is spent in test_silo.py, on fewer cells
+LONG = {"silo"}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", sorted(
+    {d.name for d in TUTORIALS.iterdir() if (d/"plot.py").exists()} - LONG))
+def test_Allrun_finds_what_it_expects(tmp_path, name):
+    """Each tutorial as shipped: plot.py, its last line, fails where the run
+    is not as its page says."""
+    copy_template(tmp_path/"mine", name)
+    done = subprocess.run(["./Allrun"], cwd=tmp_path/"mine", check=False,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, timeout=Case.timeout)
+    assert done.returncode == 0, done.stdout[-3000:]
 
 
 @pytest.mark.slow
