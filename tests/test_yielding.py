@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from cosserat import yielding
+from cosserat.scenes import notch
 from cosserat.scenes.yielding import (
     set_law, solve, steps, strip, wall_stress)
 
@@ -99,6 +100,15 @@ def test_arrest_of_a_channel(tmp_path, times, exponent):
         speeds.append(cells["U"][:, 0].max())
     measured = np.log(speeds[1]/speeds[0])/np.log(100)
     assert abs(measured - exponent) < 0.02
+
+
+@pytest.mark.parametrize("number, most", [(1, 12), (2, 20)])
+def test_a_notched_block_under_its_weight(tmp_path, number, most):
+    """Friction, contrasts of 100 and 1000 to a weak layer: Newton's method
+    needs what it needs because fluxes follow the viscosities, and ends fast."""
+    did = notch.solve(notch.prepare(tmp_path/"case", number, 24))
+    assert did["nonlinear"] <= most
+    assert did["residuals"][-1] < 0.3*did["residuals"][-2]
 
 
 def test_parts_of_a_mesh(tmp_path):
