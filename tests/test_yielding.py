@@ -123,6 +123,17 @@ def test_parts_of_a_mesh(tmp_path):
     assert runs[0][1] == runs[1][1]
 
 
+def test_parts_of_a_notched_block(tmp_path):
+    """The same where fluxes follow the viscosities of the other rank."""
+    runs = []
+    for ranks in (1, 2):
+        case = notch.prepare(tmp_path/f"on{ranks}", 1, 24)
+        case.solve(ranks)
+        runs.append((case.field("U"), steps(case.log())["nonlinear"]))
+    assert np.abs(runs[0][0] - runs[1][0]).max() < 1e-8
+    assert runs[0][1] == runs[1][1]
+
+
 def test_softening_asks_for_its_field(tmp_path):
     """One that is not there is an error, with those that are."""
     case = strip(tmp_path/"case", "bingham", {
