@@ -15,6 +15,7 @@ MESH = {
     "annularCouette": {"nAcross": 8, "nQuarter": 12},
     "bandedLayer": {"n": 24},
     "cavity": {"n": 16},
+    "channelArrest": {"n": 24},
     "columnSlump": {"nx": 16, "ny": 8},
     "dune": {"nx": 32, "ny": 16},
     "gravityChannel": {"n": 8},

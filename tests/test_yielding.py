@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from cosserat import yielding
+from cosserat.scenes import notch
 from cosserat.scenes.yielding import (
     set_law, solve, steps, strip, wall_stress)
 
@@ -101,6 +102,15 @@ def test_arrest_of_a_channel(tmp_path, times, exponent):
     assert abs(measured - exponent) < 0.02
 
 
+@pytest.mark.parametrize("number, most", [(1, 12), (2, 20)])
+def test_a_notched_block_under_its_weight(tmp_path, number, most):
+    """Friction, contrasts of 100 and 1000 to a weak layer: Newton's method
+    needs what it needs because fluxes follow the viscosities, and ends fast."""
+    did = notch.solve(notch.prepare(tmp_path/"case", number, 24))
+    assert did["nonlinear"] <= most
+    assert did["residuals"][-1] < 0.3*did["residuals"][-2]
+
+
 def test_parts_of_a_mesh(tmp_path):
     """On two ranks the steps and the flow are those of one."""
     runs = []
@@ -110,6 +120,17 @@ def test_parts_of_a_mesh(tmp_path):
         case.solve(ranks, n="(1 2 1)")
         runs.append((case.field("omega"), steps(case.log())["nonlinear"]))
     assert np.abs(runs[0][0] - runs[1][0]).max() < 1e-6
+    assert runs[0][1] == runs[1][1]
+
+
+def test_parts_of_a_notched_block(tmp_path):
+    """The same where fluxes follow the viscosities of the other rank."""
+    runs = []
+    for ranks in (1, 2):
+        case = notch.prepare(tmp_path/f"on{ranks}", 1, 24)
+        case.solve(ranks)
+        runs.append((case.field("U"), steps(case.log())["nonlinear"]))
+    assert np.abs(runs[0][0] - runs[1][0]).max() < 1e-8
     assert runs[0][1] == runs[1][1]
 
 

@@ -5,6 +5,7 @@ import numpy as np
 
 from cosserat import yielding
 from cosserat.case import RunError
+from cosserat.scenes import notch
 from cosserat.scenes.yielding import solve, strip, wall_stress
 from studies.common import HERE
 
@@ -124,7 +125,25 @@ def methods():
                           value, yielding.layer_stress(10), did)
 
 
+def notches():
+    """Steps to 1e-10 in the cases of Spiegelman et al. (2016), by method; none
+    where they do not converge in 200."""
+    for number in notch.CASES:
+        for method in ("Newton", "stressVelocity", "Picard"):
+            for n in (24, 48):
+                did = dict.fromkeys(("nonlinear", "linear", "cpu"))
+                try:
+                    did = notch.solve(notch.prepare(
+                        HERE/"runs/yield/notch", number, n, method=method,
+                        maxIter=200))
+                except RunError:
+                    pass
+                yield row("notch", f"case {number}, {method}", n, None, None,
+                          did)
+
+
 def study():
     """Rows: test, parameters, cells, value, reference, error (relative), order,
     nonlinear (steps), linear (iterations), cpu (s)."""
-    return [*channels(), *layers(), *arrest(), *methods()]
+    return [*channels(), *layers(), *arrest(), *methods(),
+            *notches()]

@@ -25,6 +25,10 @@ License
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
+//- Relative residual below which fluxes follow the viscosities: further off,
+//- steps that foresee it are shortened so much that they get nowhere
+static const Foam::scalar nearby = 1e-3;
+
 //- Share of the fall that the linear problem foresees with which a step is
 //- content, share of the work at its start that may be left against it, and
 //- how often it is shortened
@@ -42,11 +46,18 @@ void Foam::nonlinearSolver::evaluate
     scalarField& r
 )
 {
-    // For the gradients, then with the viscosities that they make
+    // For the gradients, then with the viscosities that they make; again where
+    // gradients follow jumps of them
     system_.residual(x, true, s, r);
-    laws_.see(s);
-    system_.update();
-    system_.residual(x, true, s, r);
+    label looks = 0;
+    do
+    {
+        laws_.see(s);
+        system_.update();
+        system_.residual(x, true, s, r);
+        ++looks;
+    }
+    while (looks < 2 && system_.coefficients().anyJump());
 }
 
 
@@ -198,7 +209,7 @@ Foam::label Foam::nonlinearSolver::step
     if (control_.derivatives())
     {
         laws_.linearise(carried_ && control_.carriesStress());
-        tangent_.set(s);
+        tangent_.set(s, residual < nearby);
         scalarField dx(x.size(), Zero);
         iterations = solver_.correct(dx, r, share, &tangent_);
         foresee(dx);

@@ -104,13 +104,15 @@ Foam::viscosityTangent::viscosityTangent
     laws_(laws),
     force_(system.faces().nFaces()),
     couple_(system.cosserat() ? system.faces().nFaces() : 0),
-    moment_(system.cosserat() ? system.nCells() : 0)
+    moment_(system.cosserat() ? system.nCells() : 0),
+    phi_(system.faces().nFaces()),
+    fluxes_(system, laws)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::viscosityTangent::set(const operatorState& s)
+void Foam::viscosityTangent::set(const operatorState& s, const bool near)
 {
     const faceGeometry& mesh = system_.faces();
 
@@ -133,6 +135,7 @@ void Foam::viscosityTangent::set(const operatorState& s)
     {
         setWall(s, f);
     }
+    fluxes_.set(s, near);
 }
 
 
@@ -147,12 +150,16 @@ void Foam::viscosityTangent::add
     const bool cosserat = system_.cosserat();
 
     laws_.along(direction);
+    forAll(phi_, f)
+    {
+        phi_[f] = laws_.face(direction, f);
+    }
     mesh.forTwoSided
     (
         [&](const label f)
         {
             const label P = mesh[f].own, N = mesh[f].nei;
-            const scalar phi = laws_.face(direction, f);
+            const scalar phi = phi_[f];
             all.addForce(r, P, phi*force_[f]);
             all.addForce(r, N, -phi*force_[f]);
             if (cosserat)
@@ -165,7 +172,7 @@ void Foam::viscosityTangent::add
     for (const label f : mesh.oneSided())
     {
         const label P = mesh[f].own;
-        const scalar phi = laws_.face(direction, f);
+        const scalar phi = phi_[f];
         all.addForce(r, P, phi*force_[f]);
         if (cosserat)
         {
@@ -176,6 +183,7 @@ void Foam::viscosityTangent::add
     {
         all.addCouple(r, celli, laws_.cell(celli)*moment_[celli]);
     }
+    fluxes_.add(phi_, r);
 }
 
 

@@ -146,7 +146,6 @@ Foam::scalar Foam::cosseratSystem::flux
     const planarFace& face = mesh_[f];
     const label P = face.own, N = face.nei;
     const scalar wP = K_[f].wStiff, wN = 1 - wP;
-    const scalar sP = K_[f].wSoft, sN = 1 - sP;
 
     vector2D u(wP*s.u[P] + wN*s.u[N]);
     if (K_.anyFluxOffset())
@@ -154,11 +153,7 @@ Foam::scalar Foam::cosseratSystem::flux
         u += K_.fluxOffset(f) & (wP*s.G[P] + wN*s.G[N]);
     }
 
-    return face.S*
-    (
-        (u & face.n)
-      + rAUf_[f]*(s.faceForce[f] - ((sP*s.f[P] + sN*s.f[N]) & face.m))
-    );
+    return face.S*((u & face.n) + pressureSpeed(s, f));
 }
 
 
@@ -213,8 +208,7 @@ void Foam::cosseratSystem::addOneSided
          && boundary_.pressureFixed(i)
         )
         {
-            s.flux[f] +=
-                face.S*rAUf_[f]*(s.faceForce[f] - (s.f[P] & face.m));
+            s.flux[f] += face.S*openSpeed(s, f);
         }
 
         all_.addForce(r, P, viscous_.onWall(s, f, driven));
@@ -390,6 +384,35 @@ void Foam::cosseratSystem::residual
     {
         corners_.addForce(s.u, driven, r);
     }
+}
+
+
+Foam::scalar Foam::cosseratSystem::pressureSpeed
+(
+    const operatorState& s,
+    const label f
+) const
+{
+    const planarFace& face = mesh_[f];
+    const scalar sP = K_[f].wSoft, sN = 1 - sP;
+
+    return
+        rAUf_[f]
+       *(
+            s.faceForce[f]
+          - ((sP*s.f[face.own] + sN*s.f[face.nei]) & face.m)
+        );
+}
+
+
+Foam::scalar Foam::cosseratSystem::openSpeed
+(
+    const operatorState& s,
+    const label f
+) const
+{
+    const planarFace& face = mesh_[f];
+    return rAUf_[f]*(s.faceForce[f] - (s.f[face.own] & face.m));
 }
 
 
