@@ -25,7 +25,6 @@ License
 #include "addToRunTimeSelectionTable.H"
 #include "sigFpe.H"
 
-#include <cstdlib>
 #include <mpi.h>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -51,20 +50,8 @@ static void startMPI()
     MPI_Initialized(&started);
     if (!started)
     {
-        // OpenFOAM does not end what it has started in a serial run
+        // argList ends it
         Foam::UPstream::initNull();
-        std::atexit
-        (
-            []
-            {
-                int ended = 0;
-                MPI_Finalized(&ended);
-                if (!ended)
-                {
-                    MPI_Finalize();
-                }
-            }
-        );
     }
 }
 

@@ -25,6 +25,28 @@ License
 #include "HashSet.H"
 #include "ListListOps.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    static labelList starts(const cosseratSystem& system, const bool pressure)
+    {
+        DynamicList<label> blocks(4);
+        blocks.append(0);
+        blocks.append(1);
+        if (pressure)
+        {
+            blocks.append(2);
+        }
+        if (system.cosserat())
+        {
+            blocks.append(3);
+        }
+        return labelList(blocks);
+    }
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::labelHashSet Foam::probedMatrix::within
@@ -169,9 +191,14 @@ Foam::labelList Foam::probedMatrix::columns(const label colour) const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::probedMatrix::probedMatrix(const cosseratSystem& system)
+Foam::probedMatrix::probedMatrix
+(
+    const cosseratSystem& system,
+    const bool pressure
+)
 :
     system_(system),
+    starts_(starts(system, pressure)),
     global_(system.nCells()),
     nColours_(0)
 {
@@ -191,7 +218,6 @@ void Foam::probedMatrix::getEntries(sparseEntries& entries) const
 {
     const label n = system_.nCells();
     const label nb = nBlocks();
-    const label start[] = {0, n, 3*n};
 
     operatorState s(system_.newState());
     scalarField x(system_.size()), r;
@@ -206,7 +232,7 @@ void Foam::probedMatrix::getEntries(sparseEntries& entries) const
             {
                 if (colours_[celli] == colour)
                 {
-                    x[start[j] + celli] = 1;
+                    x[starts_[j]*n + celli] = 1;
                 }
             }
             system_.plainResidual(x, false, true, s, r);
@@ -221,7 +247,7 @@ void Foam::probedMatrix::getEntries(sparseEntries& entries) const
                         (
                             number(celli, i),
                             nb*columns[celli] + j,
-                            -r[start[i] + celli]
+                            -r[starts_[i]*n + celli]
                         );
                     }
                 }
@@ -230,6 +256,42 @@ void Foam::probedMatrix::getEntries(sparseEntries& entries) const
     }
 
     system_.corners().addEntries(nb, entries);
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::probedMatrix::ordered
+(
+    const scalarField& x
+) const
+{
+    const label n = system_.nCells();
+    const label nb = nBlocks();
+    tmp<scalarField> tb(new scalarField(nb*n));
+    scalarField& b = tb.ref();
+
+    for (label k = 0; k < nb; ++k)
+    {
+        for (label celli = 0; celli < n; ++celli)
+        {
+            b[nb*celli + k] = x[starts_[k]*n + celli];
+        }
+    }
+    return tb;
+}
+
+
+void Foam::probedMatrix::spread(const scalarField& b, scalarField& x) const
+{
+    const label n = system_.nCells();
+    const label nb = nBlocks();
+
+    for (label k = 0; k < nb; ++k)
+    {
+        for (label celli = 0; celli < n; ++celli)
+        {
+            x[starts_[k]*n + celli] = b[nb*celli + k];
+        }
+    }
 }
 
 

@@ -23,6 +23,7 @@ License
 
 #include "automatic.H"
 #include "sparseFactorisation.H"
+#include "StringStream.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -49,7 +50,7 @@ bool Foam::flowPreconditioners::automatic::needsFactorisation() const
 }
 
 
-void Foam::flowPreconditioners::automatic::choose(const bool direct)
+void Foam::flowPreconditioners::automatic::choose(const bool direct) const
 {
     direct_ = direct;
 
@@ -59,9 +60,36 @@ void Foam::flowPreconditioners::automatic::choose(const bool direct)
     }
 
     dictionary controls(controls_);
-    controls.set("block", word(direct ? "direct" : "multigrid"));
+    controls.set("block", word(direct ? "whole" : "multigrid"));
     chosen_.clear();
     chosen_ = flowPreconditioner::New(system_, controls);
+}
+
+
+void Foam::flowPreconditioners::automatic::change
+(
+    const bool direct,
+    const string& reason
+) const
+{
+    available_ =
+        !direct
+     || sparseFactorisation::available("mumps", system_.faces().mesh().time());
+
+    if (!available_)
+    {
+        WarningInFunction
+            << reason << ": a sparse factorisation is wanted, but there is"
+            << " no library of it (for MUMPS the package libmumps-dev when"
+            << " this program is built); multigrid is tried" << endl;
+    }
+    else
+    {
+        Info<< "Preconditioner: "
+            << (direct ? "sparse factorisation" : "multigrid")
+            << " (" << reason.c_str() << ')' << endl;
+    }
+    choose(direct);
 }
 
 
@@ -83,8 +111,11 @@ Foam::flowPreconditioners::automatic::automatic
             "jumpLimit", system.cosserat() ? 1e5 : 1e7
         )
     ),
+    maxUses_(controls.getOrDefault<label>("multigridUses", 150)),
     direct_(false),
-    available_(true)
+    available_(true),
+    tooMany_(false),
+    nUses_(0)
 {
     choose(false);
 }
@@ -94,34 +125,17 @@ Foam::flowPreconditioners::automatic::automatic
 
 void Foam::flowPreconditioners::automatic::update()
 {
-    const bool direct = needsFactorisation();
+    const bool direct = tooMany_ || needsFactorisation();
     if (direct != direct_)
     {
-        const scalar coupling = system_.coefficients().largestCoupling();
-        const scalar jump = system_.coefficients().largestJump();
-
-        available_ = !direct || sparseFactorisation::available
-        (
-            "mumps", system_.faces().mesh().time()
-        );
-        if (!available_)
-        {
-            WarningInFunction
-                << "Largest etaC/eta " << coupling << ", largest jump of eta "
-                << jump << ": a sparse factorisation is wanted, but there is"
-                << " no library of it (for MUMPS the package libmumps-dev when"
-                << " this program is built); multigrid is tried" << endl;
-        }
-        else
-        {
-            Info<< "Velocity and microrotation: "
-                << (direct ? "sparse factorisation" : "multigrid")
-                << " (largest etaC/eta " << coupling
-                << ", largest jump of eta " << jump << ')' << endl;
-        }
-        choose(direct);
+        OStringStream reason;
+        reason
+            << "largest etaC/eta " << system_.coefficients().largestCoupling()
+            << ", largest jump of eta " << system_.coefficients().largestJump();
+        change(direct, reason.str());
     }
 
+    nUses_ = 0;
     chosen_->update();
 }
 
@@ -132,6 +146,16 @@ void Foam::flowPreconditioners::automatic::apply
     scalarField& z
 ) const
 {
+    if (!direct_ && ++nUses_ > maxUses_)
+    {
+        tooMany_ = true;
+        change
+        (
+            true,
+            name(maxUses_) + " iterations by multigrid did not do"
+        );
+        chosen_->update();
+    }
     chosen_->apply(r, z);
 }
 

@@ -36,39 +36,6 @@ namespace flowPreconditioners
 }
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::flowPreconditioners::factorised::solve
-(
-    const scalarField& r,
-    scalarField& z
-) const
-{
-    const label n = system_.nCells();
-    const label nb = matrix_.nBlocks();
-    const label start[] = {0, n, 3*n};
-    scalarField b(nb*n);
-
-    for (label k = 0; k < nb; ++k)
-    {
-        for (label celli = 0; celli < n; ++celli)
-        {
-            b[nb*celli + k] = r[start[k] + celli];
-        }
-    }
-
-    factorisation_->solve(b);
-
-    for (label k = 0; k < nb; ++k)
-    {
-        for (label celli = 0; celli < n; ++celli)
-        {
-            z[start[k] + celli] = b[nb*celli + k];
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::flowPreconditioners::factorised::factorised
@@ -129,7 +96,11 @@ void Foam::flowPreconditioners::factorised::apply
     z.setSize(r.size());
 
     system_.parts().addPressureForce(p, s_, left);
-    solve(left, z);
+
+    scalarField b(matrix_.ordered(left));
+    factorisation_->solve(b);
+    matrix_.spread(b, z);
+
     system_.parts().addDivergence(z, s_, left);
     SubList<scalar>(z, n, 2*n) = scalarField(p + pressureOf(left));
 }
