@@ -463,7 +463,7 @@ void Foam::creepingFlow::report()
             << system_.faces().largestAngle()
             << " degrees from the path through them" << nl
             << "    Cures, in system/fvSolution, creepingFlow: a larger"
-            << " maxIter or nDirections, block direct in preconditioner, a"
+            << " maxIter or nDirections, block whole in preconditioner, a"
             << " larger tolerance; or notConverged warn, to go on"
             << " regardless." << nl
             << "    In the scene: cells nearer to squares (from about 10 : 1"

@@ -23,6 +23,8 @@ License
 
 #include "systemResults.H"
 #include "surfaceFields.H"
+#include "emptyFvPatch.H"
+#include "processorFvPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -104,6 +106,41 @@ Foam::scalar Foam::systemResults::drivingPower
            *system_.stabilisation().change(celli, s_.u[celli]);
     }
     return s_.u[celli] & mesh_.frame().inPlane(force);
+}
+
+
+Foam::scalar Foam::systemResults::evenWeight() const
+{
+    const scalar lightest = system_.loads().lightest();
+    if (lightest == 0 || system_.compliance() > 0)
+    {
+        return 0;
+    }
+
+    const vector& g = system_.loads().gradientGravity();
+    const vector2D down(mesh_.frame().inPlane(g));
+
+    scalar work = 0;
+    forAll(mesh_.V(), celli)
+    {
+        work += mesh_.V()[celli]*(s_.u[celli] & down);
+    }
+
+    const fvMesh& mesh = mesh_.mesh();
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        if (isA<emptyFvPatch>(patch) || isA<processorFvPatch>(patch))
+        {
+            continue;
+        }
+        const vectorField& Cf = patch.Cf();
+        const label start = mesh_.faceOf(mesh_.halo().start(patch.index()));
+        forAll(Cf, i)
+        {
+            work -= s_.flux[start + i]*(Cf[i] & g);
+        }
+    }
+    return lightest*work;
 }
 
 
@@ -266,6 +303,10 @@ Foam::powerTerms Foam::systemResults::power() const
                *system_.loads().couple()->primitiveField()[celli];
         }
     }
+
+    const scalar even = evenWeight();
+    sum.gravity -= even;
+    sum.pressure += even;
 
     for
     (
