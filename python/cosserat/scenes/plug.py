@@ -16,7 +16,8 @@ class Plug(Box):
     def __init__(self, path, n=1, down=100, depth=5, mu=0.3, adhesion=0,
                  eta=1e3, walls=None, **box):
         friction = {"type": "coulombFriction", "mu": mu, "adhesion": adhesion,
-                    "slipVelocity": CREEP, "velocity": "uniform (0 1 0)"}
+                    "slipVelocity": CREEP, "velocity": "uniform (0 1 0)",
+                    "value": "uniform (0 0 0)"}
         side = (entries(friction), "type zeroGradient;")
         self.depth, self.down = depth, down
         super().__init__(path, n, materials={
