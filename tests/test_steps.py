@@ -24,6 +24,7 @@ MESH = {
     "schemes": {"nx": 20, "ny": 20},
     "shearLayer": {"n": 12},
     "silo": mesh_entries(4),
+    "siloArch": {"n": 4, "beside": 6},
     "sinkingInclusion": {"n": 16},
     "template": {"nx": 20, "ny": 20},
 }
