@@ -19,6 +19,7 @@ MESH = {
     "columnSlump": {"nx": 16, "ny": 8},
     "dune": {"nx": 32, "ny": 16},
     "gravityChannel": {"n": 8},
+    "heap": {"nx": 16, "ny": 8},
     "hopper": {"nx": 12, "nSpout": 3, "nCone": 10, "nBin": 6},
     "rayleighTaylor": {"n": 16},
     "schemes": {"nx": 20, "ny": 20},

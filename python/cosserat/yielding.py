@@ -1,5 +1,5 @@
 """Exact and computed values of media that yield, in layers and channels
-(docs/theory.md, section 13). Unit yield stress, force and lengths where no
+and on frictional walls (docs/theory.md, sections 13 and 14). Unit yield stress, force and lengths where no
 other is given; the Cosserat measure of stress has the weights of the
 dissipation."""
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from cosserat.case import Case
 
-WIDTHS = (0.20, 0.26, 0.32, 0.34, 0.36, 0.40)
+WIDTHS = (0.20, 0.26, 0.32, 0.35, 0.40)
 EPS = (1e-5, 1e-6)
 
 case = Case(Path(__file__).resolve().parent)

@@ -11,22 +11,23 @@ CREEP = 1e-4
 
 class Plug(Box):
     """The slot: width 1, given depth, weight 1, n x down cells. The walls move
-    at the speed 1, the top is open."""
+    at the speed 1, the top is open. material: further constants; omega: of the
+    walls."""
 
     def __init__(self, path, n=1, down=100, depth=5, mu=0.3, adhesion=0,
-                 eta=1e3, walls=None, **box):
+                 eta=1e3, material=None, omega="type zeroGradient;", **box):
         friction = {"type": "coulombFriction", "mu": mu, "adhesion": adhesion,
                     "slipVelocity": CREEP, "velocity": "uniform (0 1 0)",
                     "value": "uniform (0 0 0)"}
-        side = (entries(friction), "type zeroGradient;")
+        side = (entries(friction), omega)
         self.depth, self.down = depth, down
         super().__init__(path, n, materials={
-            "a": {"rho": 1, "eta": eta, "etaC": 0, "R": 0}}, g=(0, -1, 0),
+            "a": {"rho": 1, "eta": eta, "etaC": 0, "R": 0,
+                  **(material or {})}}, g=(0, -1, 0),
             walls={"left": side, "right": side,
                    "bottom": ("type noSlip;", "type zeroGradient;"),
                    "top": ("type zeroGradient;", "type zeroGradient;",
-                           "type prghPressure; p uniform 0;"),
-                   **(walls or {})}, **box)
+                           "type prghPressure; p uniform 0;")}, **box)
 
     def mesh(self):
         patches = "".join(f"{side} {{ type wall; faces ({face}); }}\n"

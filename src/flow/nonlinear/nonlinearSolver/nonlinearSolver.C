@@ -350,6 +350,13 @@ Foam::flexibleGMRES::performance Foam::nonlinearSolver::solve
     friction_.start();
     carried_ = false;
     system_.update();
+    if (friction_.active())
+    {
+        // Walls that move may be all that drives the flow
+        scalarField r;
+        system_.residual(scalarField(x.size(), Zero), true, s, r);
+        friction_.see(s);
+    }
     updatePreconditioner();
 
     if (!solver_.driven())
