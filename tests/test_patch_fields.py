@@ -23,7 +23,8 @@ FIELDS = ("U", "p_rgh", "omega")
 COMPILED = {"codedFixedValue"}
 
 #: Those of this project and of libraries that are not loaded
-OWN = {"tangentialTraction", "coupleTraction"}
+OWN = {"tangentialTraction", "coupleTraction", "coulombFriction",
+       "rollingFriction"}
 
 
 @pytest.fixture(name="listed", scope="module")
@@ -49,9 +50,10 @@ def test_each_type_of_openfoam_is_in_one_of_two_sets(listed):
     special = {"symmetry", "symmetryPlane", "cyclic", "processor",
                "processorCyclic", "empty"}
     assert taken["omega"] == value | special | {"zeroGradient",
-                                                "coupleTraction"}
+                                                "coupleTraction",
+                                                "rollingFriction"}
     assert taken["U"] - value - special == set(VELOCITIES) - value | {
-        "slip", "zeroGradient", "tangentialTraction"}
+        "slip", "zeroGradient", "tangentialTraction", "coulombFriction"}
     assert taken["p_rgh"] - value - special == {
         "prghPressure", "prghTotalPressure", "totalPressure",
         "uniformTotalPressure", "zeroGradient", "fixedFluxPressure",

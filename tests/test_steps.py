@@ -19,11 +19,13 @@ MESH = {
     "columnSlump": {"nx": 16, "ny": 8},
     "dune": {"nx": 32, "ny": 16},
     "gravityChannel": {"n": 8},
+    "heap": {"nx": 16, "ny": 8},
     "hopper": {"nx": 12, "nSpout": 3, "nCone": 10, "nBin": 6},
     "rayleighTaylor": {"n": 16},
     "schemes": {"nx": 20, "ny": 20},
     "shearLayer": {"n": 12},
     "silo": mesh_entries(4),
+    "siloArch": {"n": 4, "beside": 6},
     "sinkingInclusion": {"n": 16},
     "template": {"nx": 20, "ny": 20},
 }

@@ -1,5 +1,5 @@
 """Exact and computed values of media that yield, in layers and channels
-(docs/theory.md, section 13). Unit yield stress, force and lengths where no
+and on frictional walls (docs/theory.md, sections 13 and 14). Unit yield stress, force and lengths where no
 other is given; the Cosserat measure of stress has the weights of the
 dissipation."""
 
@@ -111,3 +111,21 @@ def channel_load(depth, steps=20000):
         low, high = ((middle, high) if _bears(middle, depth, steps)
                      else (low, middle))
     return low
+
+
+def janssen(z, mu):
+    """Pressure at a depth of a plug that slides along both its walls, isotropic,
+    without a load on top; of unit width and weight."""
+    return -np.expm1(-2*mu*z)/(2*mu)
+
+
+def arrest_widths(stress, weight, R, depth, slot, mu=0.3):
+    """Widths of a slot below a bin of unit width: up to which its own walls bear
+    it and the pressure of Janssen on top; and from which it falls with the
+    column above, whose sides bear the yield stress."""
+    def missing(width, above, sides):
+        bears = stress*(slot*channel_load(width/R, 2000) + sides)
+        return 0.5*weight*width*(slot + above) - bears
+
+    return tuple(brentq(missing, 0.01, 1, args, xtol=1e-5) for args in (
+        (janssen(depth, mu), 0), (depth, depth)))

@@ -5,7 +5,7 @@ import numpy as np
 
 from cosserat import yielding
 from cosserat.case import RunError
-from cosserat.scenes import notch
+from cosserat.scenes import notch, plug
 from cosserat.scenes.yielding import solve, strip, wall_stress
 from studies.common import HERE
 
@@ -142,8 +142,25 @@ def notches():
                           did)
 
 
+def plugs():
+    """Pressures of a plug between frictional walls, one cell across and
+    resolved."""
+    for n, down in ((1, 50), (1, 100), (8, 40), (16, 80)):
+        case = plug.Plug(HERE/"runs/yield/janssen", n=n, down=down).write()
+        did = plug.solve(case)
+        centres, p = case.centres()[:, 1], case.field("p")
+        y, level = np.unique(np.round(centres, 9), return_inverse=True)
+        mean = np.bincount(level, p)/np.bincount(level)
+        for z in (1, 2, 5):
+            value = np.interp(-z, y, mean)
+            if z == 5:
+                value = 1.5*mean[0] - 0.5*mean[1]
+            yield row("janssen", f"z/W {z}, {n} across", n*down, float(value),
+                      float(yielding.janssen(z, 0.3)), did)
+
+
 def study():
     """Rows: test, parameters, cells, value, reference, error (relative), order,
     nonlinear (steps), linear (iterations), cpu (s)."""
     return [*channels(), *layers(), *arrest(), *methods(),
-            *notches()]
+            *notches(), *plugs()]

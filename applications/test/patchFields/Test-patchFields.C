@@ -49,8 +49,8 @@ typedef patchFieldTypes types;
 //- By meaning
 static const char* const names[] =
 {
-    "value", "weight", "total", "weightTotal", "traction", "open", "couple",
-    "result", "mirror", "jump", "coupled", "empty", "refused"
+    "value", "weight", "total", "weightTotal", "traction", "friction",
+    "open", "couple", "result", "mirror", "jump", "coupled", "empty", "refused"
 };
 
 

@@ -158,8 +158,11 @@ bool Foam::creepingFlow::readCorners() const
             << "    Allowed: automatic, off" << exit(FatalIOError);
     }
 
-    // The singular flow at a corner is known for constant viscosities alone
-    return choice == "automatic" && !materials_.followsFlow();
+    // The singular flow at a corner is known for constant viscosities and
+    // given walls alone
+    return
+        choice == "automatic" && !materials_.followsFlow()
+     && !boundary_.frictional();
 }
 
 
@@ -249,6 +252,15 @@ void Foam::creepingFlow::checkLoads() const
                 << " closed and incompressible body" << nl
                 << "    Allowed: as much out as in, or a patch with given"
                 << " p_rgh, or a finite bulk viscosity B" << exit(FatalError);
+        }
+        if (boundary_.frictionByPressure())
+        {
+            FatalErrorInFunction
+                << "Walls have a friction that follows the pressure, whose"
+                << " level is free in a closed and incompressible body" << nl
+                << "    Allowed: a patch with given p_rgh, a finite bulk"
+                << " viscosity B, or mu 0 of coulombFriction and"
+                << " rollingFriction" << exit(FatalError);
         }
     }
 
@@ -536,7 +548,7 @@ Foam::creepingFlow::creepingFlow(materialFields& materials)
     ),
     nonlinear_
     (
-        materials, system_, preconditioner_(), motions_, solver_,
+        materials, system_, boundary_, preconditioner_(), motions_, solver_,
         controls_.subOrEmptyDict("nonlinear"), goOn_
     ),
     state_(system_.newState()),
@@ -645,7 +657,7 @@ void Foam::creepingFlow::updateSystem()
 
 void Foam::creepingFlow::solveOnce()
 {
-    if (materials_.followsFlow())
+    if (system_.followsFlow())
     {
         // Updates the system as it goes
         system_.updateWalls();

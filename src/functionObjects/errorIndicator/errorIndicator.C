@@ -378,7 +378,8 @@ bool Foam::functionObjects::errorIndicator::execute()
     tfield.ref().correctBoundaryConditions();
 
     const scalar sum = gSum(tfield().primitiveField());
-    const scalar dissipated = flow.power().dissipated();
+    const powerTerms power(flow.power());
+    const scalar dissipated = power.viscous + power.bending;
     const scalar relative = Foam::sqrt(sum/max(dissipated, VSMALL));
     const scalar share = worstShare(tfield().primitiveField());
 

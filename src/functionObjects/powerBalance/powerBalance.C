@@ -60,7 +60,7 @@ Foam::functionObjects::powerBalance::powerBalance
             const char* column :
             {
                 "gravity", "walls", "pressure", "viscous", "bending",
-                "imbalance/supply", "dissipation by cell gradients"
+                "imbalance/supply", "dissipation by cell gradients", "friction"
             }
         )
         {
@@ -95,7 +95,8 @@ bool Foam::functionObjects::powerBalance::execute()
             const scalar value :
             {
                 power.gravity, power.walls, power.pressure, power.viscous,
-                power.bending, power.imbalance(), dissipation
+                power.bending, power.imbalance(), dissipation,
+                power.friction
             }
         )
         {

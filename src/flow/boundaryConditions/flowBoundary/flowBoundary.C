@@ -26,7 +26,9 @@ License
 #include "wallCurvature.H"
 #include "planarFrame.H"
 #include "tangentialTractionFvPatchVectorField.H"
+#include "coulombFrictionFvPatchVectorField.H"
 #include "coupleTractionFvPatchScalarField.H"
+#include "rollingFrictionFvPatchScalarField.H"
 #include "jumpCyclicFvPatchField.H"
 #include "processorCyclicPolyPatch.H"
 #include "StringStream.H"
@@ -116,10 +118,22 @@ Foam::patchFieldTypes::meaning Foam::flowBoundary::meaningOf
 void Foam::flowBoundary::classifyVelocity(const label patchi)
 {
     const fvPatchVectorField& pf = U_.boundaryField()[patchi];
+    const label start = at(halo_.start(patchi));
     velocityKind kind = TRACTION;
 
     switch (meaningOf(U_, patchi))
     {
+        case patchFieldTypes::FRICTION:
+        {
+            // It holds what it can
+            frictional_ = true;
+            anyVelocity_ = true;
+            forAll(pf, facei)
+            {
+                slidingAt_.append(start + facei);
+            }
+            break;
+        }
         case patchFieldTypes::VALUE:
         {
             kind = VELOCITY;
@@ -136,7 +150,6 @@ void Foam::flowBoundary::classifyVelocity(const label patchi)
         {}
     }
 
-    const label start = at(halo_.start(patchi));
     forAll(pf, facei)
     {
         velocityKind_[start + facei] = kind;
@@ -151,12 +164,19 @@ void Foam::flowBoundary::classifyVelocity(const label patchi)
 
 void Foam::flowBoundary::classifyRotation(const label patchi)
 {
-    const bool fixed = meaningOf(omega_, patchi) != patchFieldTypes::COUPLE;
+    const patchFieldTypes::meaning is = meaningOf(omega_, patchi);
+    const bool rolls = is == patchFieldTypes::FRICTION;
+    const bool fixed = is != patchFieldTypes::COUPLE && !rolls;
+    frictional_ = frictional_ || rolls;
 
     const label start = at(halo_.start(patchi));
     forAll(omega_.boundaryField()[patchi], facei)
     {
         rotationFixed_[start + facei] = fixed;
+        if (rolls)
+        {
+            rollingAt_.append(start + facei);
+        }
     }
 }
 
@@ -307,6 +327,56 @@ void Foam::flowBoundary::updateJumps()
 }
 
 
+void Foam::flowBoundary::updateSliding(const label patchi)
+{
+    const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+    if (!isA<coulombFrictionFvPatchVectorField>(Up))
+    {
+        return;
+    }
+
+    const auto& wall = refCast<const coulombFrictionFvPatchVectorField>(Up);
+    const vectorField U(wall.velocity());
+    const vectorField n(Up.patch().nf());
+    const label start = at(halo_.start(patchi));
+    checkValues("U", Up.patch().name(), mag(U));
+
+    forAll(U, facei)
+    {
+        const label i = start + facei;
+        normalSpeed_[i] = n[facei] & U[facei];
+        sliding_[i].set
+        (
+            wall.adhesion(), wall.mu(), wall.slipVelocity(),
+            U[facei] & (n[facei] ^ frame_.e())
+        );
+    }
+}
+
+
+void Foam::flowBoundary::updateRolling(const label patchi)
+{
+    const fvPatchScalarField& wp = omega_.boundaryField()[patchi];
+    if (rolling_.empty() || !isA<rollingFrictionFvPatchScalarField>(wp))
+    {
+        return;
+    }
+
+    const auto& wall = refCast<const rollingFrictionFvPatchScalarField>(wp);
+    const scalarField omega(wall.rotation());
+    const label start = at(halo_.start(patchi));
+    checkValues("omega", wp.patch().name(), mag(omega));
+
+    forAll(omega, facei)
+    {
+        rolling_[start + facei].set
+        (
+            0, wall.length()*wall.mu(), wall.slipRate(), omega[facei]
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::flowBoundary::flowBoundary
@@ -338,6 +408,7 @@ Foam::flowBoundary::flowBoundary
         U.mesh().boundary().size(), patchFieldTypes::RESULT
     ),
     curvature_(traction_),
+    frictional_(false),
     anyVelocity_(false),
     anyOpen_(false),
     followsFlow_(false)
@@ -359,10 +430,33 @@ Foam::flowBoundary::flowBoundary
         }
         classifyPressure(patchi);
     }
+
+    if (frictional_)
+    {
+        sliding_.setSize(velocityKind_.size());
+        rolling_.setSize(velocityKind_.size());
+        normalSpeed_.setSize(velocityKind_.size(), 0);
+    }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::flowBoundary::frictionByPressure() const
+{
+    bool follows = false;
+    for (const label i : slidingAt_)
+    {
+        follows = follows || sliding_[i].byPressure();
+    }
+    for (const label i : rollingAt_)
+    {
+        follows = follows || rolling_[i].byPressure();
+    }
+    return returnReduce(follows, orOp<bool>());
+}
+
+
 
 bool Foam::flowBoundary::update()
 {
@@ -425,6 +519,9 @@ bool Foam::flowBoundary::update()
              || mag(pp[facei] - pressure_[i]) > 1e-8*largestPressure;
             pressure_[i] = pp[facei];
         }
+
+        updateSliding(patchi);
+        updateRolling(patchi);
 
         // Others are results
         const word& name = Up.patch().name();

@@ -106,6 +106,7 @@ static const Foam::List<types::row> written
     },
     {"U", "slip", types::TRACTION, "traction zero"},
     {"U", "tangentialTraction", types::TRACTION, "of this project"},
+    {"U", "coulombFriction", types::FRICTION, "of this project"},
     {"U", "zeroGradient", types::OPEN, "where p_rgh is given"},
     {"U", "activeBaffleVelocity", types::REFUSED, "its value follows the flow"},
     {
@@ -180,6 +181,7 @@ static const Foam::List<types::row> written
         "it gives p: take prghPressure"
     },
 
+    {"omega", "rollingFriction", types::FRICTION, "of this project"},
     {"omega", "coupleTraction", types::COUPLE, "of this project"},
     {"omega", "zeroGradient", types::COUPLE, "couple traction zero"}
 });

@@ -36,6 +36,11 @@ static const Foam::scalar enough = 1e-4;
 static const Foam::scalar against = 0.5;
 static const Foam::label mostCuts = 10;
 
+//- Share of the largest load of friction by which loads may be off, and how
+//- often they look at the flow for it
+static const Foam::scalar settled = 1e-10;
+static const Foam::label mostLooks = 30;
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -52,12 +57,20 @@ void Foam::nonlinearSolver::evaluate
     label looks = 0;
     do
     {
-        laws_.see(s);
-        system_.update();
+        if (lawsFollow_)
+        {
+            laws_.see(s);
+            system_.update();
+        }
+        frictionOff_ = friction_.see(s);
         system_.residual(x, true, s, r);
         ++looks;
     }
-    while (looks < 2 && system_.coefficients().anyJump());
+    while
+    (
+        (looks < 2 && system_.coefficients().anyJump())
+     || (looks < mostLooks && frictionOff_ > settled)
+    );
 }
 
 
@@ -184,8 +197,23 @@ Foam::scalar Foam::nonlinearSolver::search
 }
 
 
+void Foam::nonlinearSolver::linearise(const operatorState& s, const bool near)
+{
+    if (lawsFollow_)
+    {
+        laws_.linearise(carried_ && control_.carriesStress());
+        tangent_.set(s, near);
+    }
+}
+
+
 void Foam::nonlinearSolver::foresee(const scalarField& dx)
 {
+    if (!lawsFollow_)
+    {
+        return;
+    }
+
     operatorState step(system_.newState());
     scalarField r;
     system_.residual(dx, false, step, r);
@@ -202,16 +230,17 @@ Foam::label Foam::nonlinearSolver::step
 {
     const scalar residual = whole(solver_.relative(r));
     const scalar share = control_.share(residual);
+    friction_.linearise(s, control_.derivatives());
     updatePreconditioner();
 
     scalar length = 0;
     label iterations = 0;
     if (control_.derivatives())
     {
-        laws_.linearise(carried_ && control_.carriesStress());
-        tangent_.set(s, residual < nearby);
         scalarField dx(x.size(), Zero);
-        iterations = solver_.correct(dx, r, share, &tangent_);
+        linearise(s, residual < nearby);
+        iterations =
+            solver_.correct(dx, r, share, lawsFollow_ ? &tangent_ : nullptr);
         foresee(dx);
 
         length = search(x, dx, s, r);
@@ -219,10 +248,11 @@ Foam::label Foam::nonlinearSolver::step
     carried_ = length > 0;
     if (carried_)
     {
-        laws_.accept(length);
+        accept(length);
     }
     else
     {
+        friction_.linearise(s, false);
         iterations += solver_.correct(x, r, share, nullptr);
         evaluate(x, s, r);
     }
@@ -235,9 +265,9 @@ Foam::label Foam::nonlinearSolver::step
 Foam::scalar Foam::nonlinearSolver::whole
 (
     const flexibleGMRES::residuals& parts
-)
+) const
 {
-    scalar sqrSum = 0;
+    scalar sqrSum = sqr(frictionOff_);
     for (const scalar part : parts)
     {
         sqrSum += sqr(part);
@@ -277,6 +307,7 @@ Foam::nonlinearSolver::nonlinearSolver
 (
     materialFields& materials,
     cosseratSystem& system,
+    flowBoundary& boundary,
     flowPreconditioner& preconditioner,
     rigidMotions& motions,
     flexibleGMRES& solver,
@@ -289,9 +320,12 @@ Foam::nonlinearSolver::nonlinearSolver
     preconditioner_(preconditioner),
     motions_(motions),
     solver_(solver),
-    control_(controls, solver.tolerance(), warn, materials.followsFlow()),
+    control_(controls, solver.tolerance(), warn, system.followsFlow()),
     laws_(materials, system),
     tangent_(system, laws_),
+    lawsFollow_(materials.followsFlow()),
+    friction_(system, boundary),
+    frictionOff_(0),
     carried_(false),
     continued_(false)
 {}
@@ -309,9 +343,20 @@ Foam::flexibleGMRES::performance Foam::nonlinearSolver::solve
     result.iterations = 0;
 
     // From the flow alone, as a restart
-    laws_.start();
+    if (lawsFollow_)
+    {
+        laws_.start();
+    }
+    friction_.start();
     carried_ = false;
     system_.update();
+    if (friction_.active())
+    {
+        // Walls that move may be all that drives the flow
+        scalarField r;
+        system_.residual(scalarField(x.size(), Zero), true, s, r);
+        friction_.see(s);
+    }
     updatePreconditioner();
 
     if (!solver_.driven())
@@ -326,7 +371,11 @@ Foam::flexibleGMRES::performance Foam::nonlinearSolver::solve
         {
             continue;
         }
-        materials_.relax(factor);
+        if (lawsFollow_)
+        {
+            materials_.relax(factor);
+        }
+        friction_.relax(factor);
         solveOne(x, s, result);
     }
     continued_ = true;

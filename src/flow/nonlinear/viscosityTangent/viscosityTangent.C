@@ -44,7 +44,8 @@ Foam::vector2D Foam::viscosityTangent::wallForce
         }
         case flowBoundary::TRACTION:
         {
-            return (F & face.n)*face.n;
+            const scalar Fn = F & face.n;
+            return Fn*face.n + frictionForce(Fn, f)*t;
         }
         case flowBoundary::OPEN:
         {
@@ -52,6 +53,29 @@ Foam::vector2D Foam::viscosityTangent::wallForce
         }
     }
     return Zero;
+}
+
+
+Foam::scalar Foam::viscosityTangent::frictionForce
+(
+    const scalar normalForce,
+    const label f
+) const
+{
+    if (!system_.boundary().frictional())
+    {
+        return 0;
+    }
+
+    // By the change of the normal traction, less what the wall resists of the
+    // motion that it makes
+    const viscousCoefficients& K = system_.coefficients();
+    const wallLaw byNormal
+    (
+        system_.boundary().sliding(system_.faces().boundaryOf(f)).change(1)
+    );
+    return -byNormal.given*normalForce
+       *K.wallGain(f, byNormal.resistance)/K.wallGain(f, 0);
 }
 
 

@@ -79,9 +79,11 @@ void Foam::cellGradient::setWallRotation
     }
 
     omega = s.omega[P];
-    if (driven && K_.M(P) > 0)
+    if (K_.M(P) > 0)
     {
-        omega += boundary_.couple(i)/(K_.M(P)*mesh_[f].dc);
+        const wallLaw couple(boundary_.coupleLaw(i, driven, s.normal));
+        omega += couple.given/(K_.M(P)*mesh_[f].dc);
+        omega *= K_.rotationGain(f, couple.resistance);
     }
 }
 
@@ -98,14 +100,18 @@ Foam::scalar Foam::cellGradient::wallSpeed
     // gradient, so the speed is of second order
     const planarFace& face = mesh_[f];
     const label P = face.own;
-    const scalar traction =
-        driven ? boundary_.traction(mesh_.boundaryOf(f)) : 0;
+    const wallLaw traction
+    (
+        boundary_.tractionLaw(mesh_.boundaryOf(f), driven, s.normal)
+    );
     const scalar mean =
         s.omega[P] + K_.wallShare(f)*(s.omega[face.nei] - s.omega[P]);
     const scalar slope =
-        (traction - 2*K_.etaC(P)*mean)/(K_.eta(P) + K_.etaC(P));
+        (traction.given - 2*K_.etaC(P)*mean)/(K_.eta(P) + K_.etaC(P));
 
-    return K_.wallGain(f)*((s.u[P] & face.t()) + slope/face.dc);
+    return
+        K_.wallGain(f, traction.resistance)
+       *((s.u[P] & face.t()) + slope/face.dc);
 }
 
 
@@ -113,11 +119,19 @@ void Foam::cellGradient::addWallSpeed
 (
     operatorState& s,
     const label f,
-    const scalar straight
+    const scalar straight,
+    const bool driven
 ) const
 {
     const planarFace& face = mesh_[f];
-    const vector2D change(K_.wallGain(f)*straight*face.t());
+    const wallLaw traction
+    (
+        boundary_.tractionLaw(mesh_.boundaryOf(f), driven, s.normal)
+    );
+    const vector2D change
+    (
+        K_.wallGain(f, traction.resistance)*straight*face.t()
+    );
 
     s.u[face.nei] += change;
     s.G[face.own] += face.S/mesh_.V()[face.own]*(face.n*change);
@@ -204,7 +218,8 @@ void Foam::cellGradient::weight(operatorState& s) const
 void Foam::cellGradient::correctRotation
 (
     operatorState& s,
-    const label f
+    const label f,
+    const bool driven
 ) const
 {
     const planarFace& face = mesh_[f];
@@ -223,6 +238,10 @@ void Foam::cellGradient::correctRotation
         {
             change -= d*(face.k() & s.gradOmega[P]);
         }
+        change *= K_.rotationGain
+        (
+            f, boundary_.coupleLaw(i, driven, s.normal).resistance
+        );
         s.omega[face.nei] += change;
     }
     if (boundary_.velocity(i) == flowBoundary::TRACTION)
@@ -231,13 +250,18 @@ void Foam::cellGradient::correctRotation
         (
             s,
             f,
-            d*K_.etaC(P)*(curvature/6 - change)/(K_.eta(P) + K_.etaC(P))
+            d*K_.etaC(P)*(curvature/6 - change)/(K_.eta(P) + K_.etaC(P)),
+            driven
         );
     }
 }
 
 
-void Foam::cellGradient::correctWalls(operatorState& s) const
+void Foam::cellGradient::correctWalls
+(
+    operatorState& s,
+    const bool driven
+) const
 {
     for (const label f : mesh_.oneSided())
     {
@@ -247,7 +271,7 @@ void Foam::cellGradient::correctWalls(operatorState& s) const
 
         if (K_.cosserat() && !K_.rotationUndetermined(P))
         {
-            correctRotation(s, f);
+            correctRotation(s, f, driven);
         }
 
         // From the foot of the normal through the centre to the face centre
@@ -257,7 +281,10 @@ void Foam::cellGradient::correctWalls(operatorState& s) const
          && boundary_.velocity(mesh_.boundaryOf(f)) == flowBoundary::TRACTION
         )
         {
-            addWallSpeed(s, f, -d*(face.k() & (s.G[P] & face.t())));
+            addWallSpeed
+            (
+                s, f, -d*(face.k() & (s.G[P] & face.t())), driven
+            );
         }
 
         // The Gauss gradient has the slopes of quarter and inner face by
@@ -373,6 +400,10 @@ void Foam::cellGradient::setBoundary
             case flowBoundary::TRACTION:
             {
                 u = wallSpeed(s, f, driven)*face.t();
+                if (driven && boundary_.frictional())
+                {
+                    u += boundary_.normalSpeed(i)*face.n;
+                }
                 break;
             }
             case flowBoundary::OPEN:
@@ -421,7 +452,7 @@ void Foam::cellGradient::gauss(operatorState& s) const
 }
 
 
-void Foam::cellGradient::calc(operatorState& s) const
+void Foam::cellGradient::calc(operatorState& s, const bool driven) const
 {
     gauss(s);
     if (s.gradOmega.size())
@@ -436,7 +467,7 @@ void Foam::cellGradient::calc(operatorState& s) const
     {
         before[i] = s.G[walls[i].celli];
     }
-    correctWalls(s);
+    correctWalls(s, driven);
     weightWalls(s, before);
 }
 

@@ -137,6 +137,25 @@ void Foam::cosseratSystem::unpack
 }
 
 
+void Foam::cosseratSystem::setNormal(operatorState& s) const
+{
+    const Field<vector2D> moved(pressure_.moved(s));
+
+    for (const label f : mesh_.oneSided())
+    {
+        const planarFace& face = mesh_[f];
+        const label i = mesh_.boundaryOf(f);
+        if (boundary_.velocity(i) != flowBoundary::OPEN)
+        {
+            // The wall is at rest along a direction
+            s.normal[i] =
+                pressure_.onWall(s, face.nei, moved, false)
+              + K_[f].Kn*(s.u[face.own] & face.n)/face.S;
+        }
+    }
+}
+
+
 Foam::scalar Foam::cosseratSystem::flux
 (
     const operatorState& s,
@@ -281,9 +300,13 @@ void Foam::cosseratSystem::plainResidual
 ) const
 {
     unpack(x, driven, s);
-    gradient_.setBoundary(s, driven);
-    gradient_.calc(s);
     pressure_.calc(s, driven, moving);
+    if (boundary_.frictional() && !driven)
+    {
+        setNormal(s);
+    }
+    gradient_.setBoundary(s, driven);
+    gradient_.calc(s, driven);
     mesh_.halo().swap(s.G, s.f);
 
     r.setSize(size());

@@ -139,6 +139,41 @@ void Foam::partialOperators::rotationBlock
 }
 
 
+void Foam::partialOperators::addSliding
+(
+    const label cmpt,
+    scalarField& diag
+) const
+{
+    for (const label i : boundary_.slidingAt())
+    {
+        // In series with the material between cell and wall
+        const label f = mesh_.nInternal() + i;
+        const planarFace& face = mesh_[f];
+        const scalar resistance = boundary_.sliding(i).change(0).resistance;
+        diag[face.own] +=
+            face.S*resistance*K_.wallGain(f, resistance)
+           *(1 - sqr(face.n[cmpt]));
+    }
+}
+
+
+void Foam::partialOperators::addRolling(scalarField& diag) const
+{
+    for (const label i : boundary_.rollingAt())
+    {
+        const label f = mesh_.nInternal() + i;
+        const planarFace& face = mesh_[f];
+        const scalar resistance = boundary_.rolling(i).change(0).resistance;
+        if (K_.M(face.own) > 0)
+        {
+            diag[face.own] +=
+                face.S*resistance*K_.rotationGain(f, resistance);
+        }
+    }
+}
+
+
 void Foam::partialOperators::addPressureForce
 (
     const scalarField& p,

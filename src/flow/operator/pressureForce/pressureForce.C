@@ -322,4 +322,35 @@ Foam::scalar Foam::pressureForce::onBoundary
 }
 
 
+Foam::scalar Foam::pressureForce::onWall
+(
+    const operatorState& s,
+    const label slot,
+    const Field<vector2D>& moved,
+    const bool driven
+) const
+{
+    const label f = mesh_.faceOf(slot);
+    const planarFace& face = mesh_[f];
+    const label P = face.own;
+    const bool fixed = boundary_.pressureFixed(mesh_.boundaryOf(f));
+
+    // onBoundary takes no load from the cell to the face, by which p rises
+    // there in a fluid at rest
+    vector2D force(fixed ? vector2D(Zero) : moved[P]);
+    scalar p = onBoundary(s, slot);
+    if (driven)
+    {
+        vector load(loads_.rho(P)*loads_.gravity());
+        if (!fixed && loads_.force())
+        {
+            load += loads_.force()->primitiveField()[P];
+        }
+        force += mesh_.frame().inPlane(load);
+        p += loads_.rhoGh()[P];
+    }
+    return p + (force & (face.m/face.dc));
+}
+
+
 // ************************************************************************* //

@@ -67,6 +67,31 @@ Foam::scalar Foam::systemResults::wallPower() const
 }
 
 
+Foam::scalar Foam::systemResults::frictionPower() const
+{
+    const flowBoundary& boundary = system_.boundary();
+    scalar power = 0;
+
+    for (const label i : boundary.slidingAt())
+    {
+        const label f = mesh_.nInternal() + i;
+        const vector2D t(mesh_[f].t());
+        power -=
+            (system_.viscous().onWall(s_, f, true) & t)
+           *((s_.u[mesh_[f].nei] & t) - boundary.sliding(i).wall());
+    }
+    for (const label i : boundary.rollingAt())
+    {
+        const label f = mesh_.nInternal() + i;
+        power -=
+            system_.viscous().coupleOnWall(s_, f, true)
+           *(s_.omega[mesh_[f].nei] - boundary.rolling(i).wall());
+    }
+
+    return power;
+}
+
+
 Foam::scalar Foam::systemResults::openingPower() const
 {
     const scalarField& jump = system_.boundary().jump();
@@ -276,11 +301,12 @@ Foam::tmp<Foam::scalarField> Foam::systemResults::bent() const
 
 Foam::powerTerms Foam::systemResults::power() const
 {
-    const scalar openings = openingPower();
+    // What walls supply is what their own motion does
+    const scalar openings = openingPower(), friction = frictionPower();
     powerTerms sum
     {
-        0, wallPower() + openings, Foam::sum(dissipated()()),
-        Foam::sum(bent()()), -openings
+        0, wallPower() + openings + friction, Foam::sum(dissipated()()),
+        Foam::sum(bent()()), friction, -openings
     };
 
     // What the force of the residual does beyond gravity and body force is the
@@ -311,7 +337,10 @@ Foam::powerTerms Foam::systemResults::power() const
     for
     (
         scalar* term :
-        {&sum.gravity, &sum.walls, &sum.viscous, &sum.bending, &sum.pressure}
+        {
+            &sum.gravity, &sum.walls, &sum.viscous, &sum.bending,
+            &sum.friction, &sum.pressure
+        }
     )
     {
         reduce(*term, sumOp<scalar>());

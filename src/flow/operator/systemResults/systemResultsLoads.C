@@ -34,11 +34,8 @@ void Foam::systemResults::wallLoads
 ) const
 {
     const planarFrame& frame = mesh_.frame();
-    const flowLoads& loads = system_.loads();
     const fvPatch& patch = mesh_.mesh().boundary()[patchi];
     const vectorField n(patch.nf());
-    const vectorField d(patch.Cf() - patch.Cn());
-    const vector g(loads.gravity());
 
     // No force between cell and wall
     const Field<vector2D> moved(system_.pressure().moved(s_));
@@ -53,20 +50,9 @@ void Foam::systemResults::wallLoads
         const label f = mesh_.faceOf(slot);
         const label P = mesh_[f].own;
 
-        // boundaryPressure takes no load from the cell to the face, by which p
-        // rises there in a fluid at rest
-        vector force(loads.rho(P)*g);
-        if (!system_.boundary().pressureFixed(mesh_.boundaryOf(f)))
-        {
-            force += frame.inSpace(moved[P]);
-            if (loads.force())
-            {
-                force += loads.force()->primitiveField()[P];
-            }
-        }
-        const scalar p =
-            boundaryPressure(slot) + loads.rhoGh()[P] + (force & d[i]);
-        pressure[i] = p*mesh_[f].S*n[i];
+        pressure[i] =
+            system_.pressure().onWall(s_, slot, moved, true)
+           *mesh_[f].S*n[i];
 
         viscous[i] = -frame.inSpace(system_.viscous().onWall(s_, f, true));
 
@@ -105,6 +91,12 @@ void Foam::systemResults::netInflow(scalar& net, scalar& magnitude) const
         {
             const vector2D u(system_.boundary().u(i));
             net -= mesh_[f].S*(u & mesh_[f].n);
+            magnitude += mesh_[f].S*mag(u);
+        }
+        else
+        {
+            const scalar u = system_.boundary().normalSpeed(i);
+            net -= mesh_[f].S*u;
             magnitude += mesh_[f].S*mag(u);
         }
     }

@@ -462,13 +462,18 @@ Foam::scalar Foam::viscousCoefficients::wallShare(const label f) const
 }
 
 
-Foam::scalar Foam::viscousCoefficients::wallGain(const label f) const
+Foam::scalar Foam::viscousCoefficients::wallGain
+(
+    const label f,
+    const scalar resistance
+) const
 {
     const label P = mesh_[f].own;
     return 1/
     (
         1 - boundary_.curvature(mesh_.boundaryOf(f))/mesh_[f].dc
        *(eta_[P] - etaC_[P])/(eta_[P] + etaC_[P])
+      + resistance/(mesh_[f].dc*(eta_[P] + etaC_[P]))
     );
 }
 

@@ -144,7 +144,8 @@ Foam::vector2D Foam::viscousForce::onWall
     scalar Ft = 0;
     if (boundary_.velocity(i) == flowBoundary::TRACTION)
     {
-        Ft = driven ? boundary_.traction(i)*face.S : 0;
+        Ft = face.S
+           *boundary_.tractionLaw(i, driven, s.normal)(s.u[face.nei] & t);
     }
     else
     {
@@ -196,14 +197,18 @@ Foam::scalar Foam::viscousForce::coupleOnWall
 
     if (!boundary_.rotationFixed(i))
     {
+        if (!(K_.M(P) > 0))
+        {
+            return 0;
+        }
+
         // Reduced as M on faces, for what their correction leaves at its end
         const scalar es = K_.es(P);
         const scalar kappa = es*(4*es + K_.eta(P))/(6*(K_.eta(P) + es));
 
         return
-            driven && K_.M(P) > 0
-          ? boundary_.couple(i)*face.S/(1 + 4*kappa/(K_.M(P)*sqr(face.dc)))
-          : 0;
+            boundary_.coupleLaw(i, driven, s.normal)(s.omega[face.nei])
+           *face.S/(1 + 4*kappa/(K_.M(P)*sqr(face.dc)));
     }
 
     // The difference is the gradient halfway to the wall; the moment balance

@@ -86,11 +86,13 @@ void Foam::flowPreconditioners::blockTriangular::update()
     {
         system_.parts().velocityBlock(cmpt, diag, face);
         system_.corners().addDiagonal(cmpt, diag);
+        system_.parts().addSliding(cmpt, diag);
         blocks_[cmpt].set(diag, face);
     }
     if (system_.cosserat())
     {
         system_.parts().rotationBlock(diag, face);
+        system_.parts().addRolling(diag);
         blocks_[2].set(diag, face);
     }
 }
