@@ -6,6 +6,7 @@ import pytest
 
 from cosserat import yielding
 from cosserat.scenes import notch
+from cosserat.scenes.box import add_points
 from cosserat.scenes.yielding import (
     set_law, solve, steps, strip, wall_stress)
 
@@ -32,6 +33,10 @@ LAWS = {
             4*(0.38 + 0.26*0.25/0.55)*1.01**-0.5),
 }
 
+#: Their yield stress at no pressure
+YIELD = {"bingham": 1, "herschelBulkley": 1, "vonMises": 1,
+         "druckerPrager": np.sqrt(0.75), "muI": 0.38*4}
+
 
 @pytest.mark.parametrize("law", LAWS)
 def test_classical_shear_of_each_law(tmp_path, law):
@@ -40,10 +45,40 @@ def test_classical_shear_of_each_law(tmp_path, law):
     coeffs, stress = LAWS[law]
     case = strip(tmp_path/"case", law, {**coeffs, **COSSERAT}, 8, V=1,
                  omega=-0.5, tolerance=1e-13)
+    case.measure("yielding", "yieldState", "writeControl writeTime;")
     cells, _ = solve(case)
     assert np.abs(cells["U"][:, 0] - cells["y"]).max() < 1e-12
     assert np.abs(cells["omega"] + 0.5).max() < 1e-12
     assert abs(wall_stress(case)/stress - 1) < 1e-10
+    yields = YIELD.get(law, 0)
+    for name, value in (("Gamma", 1), ("tau", stress),
+                        ("yieldRatio", stress/yields if yields else 0),
+                        ("mobilisedFriction", 0)):
+        assert np.abs(case.field(name) - value).max() < 1e-9*stress, name
+
+
+def test_yield_state_of_a_softened_cosserat_layer(tmp_path):
+    """Walls that do not turn, a pressure of 2 and half of the strength lost:
+    Gamma by its definition from the fields, tau and the ratios by the law."""
+    case = strip(tmp_path/"case", "bingham", {
+        **LAWS["bingham"][0], **COSSERAT, "cA": 2, "cm": 3, "softening": {
+            "field": "weak", "from": 0, "to": 2, "factor": 0.5}}, 24, V=1)
+    case.measure("yielding", "yieldState", "writeControl writeTime;")
+    add_points(case, "{ type all; material granular; }", properties=(
+        "{ weak { type carried; start 1; onMesh yes; } }"))
+    cells, _ = solve(case)
+    y = cells["y"]
+    first = case.centres()[:, 0] < case.centres()[:, 0].mean()
+    order = np.argsort(case.centres()[first, 1])
+    rate, tau, ratio = (case.field(name)[first][order]
+                        for name in ("Gamma", "tau", "yieldRatio"))
+    inner = slice(2, -2)
+    slope = np.gradient(cells["U"][:, 0], y)
+    exact = np.sqrt(slope**2 + 8*(cells["omega"] + slope/2)**2
+                    + 3*(2*0.1)**2*np.gradient(cells["omega"], y)**2)
+    assert np.abs(rate/exact - 1)[inner].max() < 1e-3
+    assert np.abs(tau/(0.1*rate - 0.75*np.expm1(-rate/0.01)) - 1).max() < 1e-9
+    assert np.abs(ratio/tau*0.75 - 1).max() < 1e-9
 
 
 @pytest.mark.parametrize("law, coeffs, rate", [
