@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The band with and without internal length on the finest mesh, and its width
-over the size of the cells."""
+over the size of the cells. Fails where width or angle are not as expected."""
 
 from pathlib import Path
 
@@ -13,6 +13,11 @@ import numpy as np
 
 from cosserat.case import Case
 from cosserat.picture import draw_field
+
+#: Share of the width that the finest mesh leaves at least, and classical at
+#: most; angle by Roscoe and what it may be off [degrees]
+LEAST, MOST = 0.9, 0.6
+ROSCOE, SPREAD = 45, 2
 
 results = Path(__file__).resolve().parent/"results"
 table = np.loadtxt(results/"meshes.csv", delimiter=",")
@@ -46,3 +51,9 @@ print(f"from n {before[0]:g} to {now[0]:g} the width changes by"
       f" {100*(now[2]/before[2] - 1):.1f} %, classical"
       f" {100*(now[4]/before[4] - 1):.1f} %")
 print(results/"bands.png")
+
+if now[2] < LEAST*before[2] or now[4] > MOST*before[4]:
+    raise SystemExit(f"Not as expected: at least {LEAST} of the width before,"
+                     f" classical at most {MOST}")
+if max(abs(now[1] - ROSCOE), abs(now[3] - ROSCOE)) > SPREAD:
+    raise SystemExit(f"Not as expected: {ROSCOE} +- {SPREAD} degrees")
