@@ -82,6 +82,29 @@ def test_picture_of_a_field(slump, tmp_path, monkeypatch, options):
     assert len(np.unique(colours.reshape(-1, 3).round(2), axis=0)) > 50
 
 
+def test_outlines(slump, tmp_path, monkeypatch):
+    """A line where the speed is a tenth of its largest, and another one of a
+    field: both add to the picture, and lie where the values do."""
+    pictures = []
+    for i, options in enumerate((
+            (), ("-outline", "speed", "0.1"),
+            ("-outline", "speed", "0.1", "-outline", "alpha.grains",
+                                          "0.5"))):
+        file = tmp_path/f"{i}.png"
+        draw(monkeypatch, slump, file, "-field", "alpha.grains", *options)
+        pictures.append(imread(file)[:, :, :3])
+    red = [(np.abs(p - (0xc2/255, 0x2a/255, 0x2a/255)).max(axis=2) < 0.05).sum()
+           for p in pictures]
+    assert red[0] < 5 and red[1] > 200 and red[2] > red[1] + 200
+
+    axes = picture.plt.figure().gca()
+    lines = picture.draw_outline(axes, slump, slump.times()[-1], "speed", 0.1)
+    at = np.concatenate(lines.allsegs[0])
+    speed = np.linalg.norm(slump.field("U"), axis=1)
+    near = np.abs(slump.centres()[:, None, :2] - at).sum(axis=2).argmin(axis=0)
+    assert np.median(speed[near])/speed.max() == pytest.approx(0.1, abs=0.05)
+
+
 def test_animation(slump, tmp_path, monkeypatch):
     """One frame a time, which differ."""
     draw(monkeypatch, slump, tmp_path/"all.gif", "-animate", "-field", "U")
@@ -95,7 +118,9 @@ def test_animation(slump, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("options, words", [
-    (("-field", "velocity"), "alpha.grains"), (("-time", "7"), "0.5 1")])
+    (("-field", "velocity"), "alpha.grains"), (("-time", "7"), "0.5 1"),
+    (("-outline", "Gamma", "1"), "alpha.grains"),
+    (("-outline", "speed", "slow"), "no number slow")])
 def test_what_is_not_there(slump, tmp_path, monkeypatch, capsys, options,
                            words):
     """Mistakes are told with what there is."""

@@ -53,6 +53,22 @@ def test_strain_of_simple_shear(box, steps, integration, ranks):
     assert np.abs(strain[old] - 1.2).max() < 1e-8
 
 
+def test_residence_time(box):
+    """The age of points in a shear, also of those that flow in; and with
+    regions the time above the middle, where they stay, alone."""
+    case = box(n=8, materials=FLUID, walls=EXACT,
+               U=lambda x, y: (2*y, 0*x), omega=lambda x, y: -1 + 0*x)
+    moved(case, "age { type residenceTime; onMesh yes; } above"
+          " { type residenceTime; start 2; inflow 2; within ( { type box;"
+          " min (-1 0 -1); max (1 1 1); } ); }", 3, 0.2, minPointsPerCell=0)
+    x, y = case.cloud("positions")[:, :2].T
+    age = case.cloud("age")
+    assert np.abs(age - shear_strain(x, y, 2, 0.6)/2).max() < 1e-5
+    assert np.abs(case.cloud("above") - 2 - (y > 0)*age).max() < 1e-12
+    assert 0.05 < case.field("age").min() < 0.1
+    assert case.field("age").max() == pytest.approx(0.6)
+
+
 def test_strain_of_a_rotation_is_none(box):
     """Nor of points that flow in at the corners."""
     case = box(n=8, materials=FLUID, walls=EXACT, U=lambda x, y: (-y, x),

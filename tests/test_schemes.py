@@ -36,6 +36,7 @@ SAME = {"block multigrid", "notConverged warn", "forced microrotation",
         "forced gravity", "forced averages", "forced matrices",
         "forced compressibility",
         "dye bands", "dye stripes", "property carried",
+        "property residenceTime",
         *(f"interpolation {name}" for name in (
             "cell", "cellPatchConstrained", "cellPointFace",
             "cellPointWallModified", "pointMVC"))}

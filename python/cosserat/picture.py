@@ -3,6 +3,7 @@
     foamPicture CASE -field omega          # cells coloured by a field
     foamPicture CASE -arrows -o dye.png    # points, dye and velocity
     foamPicture CASE -streamlines -o a.pdf # lines of the flow, to be printed
+    foamPicture CASE -outline speed 0.01   # what stagnates, outlined
     foamPicture CASE -animate              # all times as a GIF
 
 Files may be ascii or binary, compressed or not, the plane any of the three; a
@@ -162,17 +163,16 @@ def draw_velocity(axes, case, time, n=25, key=False):
                        labelpos="E", fontproperties={"size": 8})
 
 
-def draw_streamlines(axes, case, time, n=120):
-    """Draw lines along the velocity, wider where it is faster; returns what
-    matplotlib makes of them."""
-    xy, velocity = flow_in_plane(case, time)
+def on_grid(case, xy, values, n):
+    """Values of the cells on a grid of n places along the longer side, nan
+    where there is no cell: the places across and up, and the values."""
     edges = np.array(case.boundary_edges())[:, :, case.plane()]
     low, high = edges.min(axis=(0, 1)), edges.max(axis=(0, 1))
     step = (high - low).max()/n
     places = [np.linspace(a, b, max(int(round((b - a)/step)), 2))
               for a, b in zip(low, high)]
     grid = np.meshgrid(*places)
-    u = LinearNDInterpolator(xy, velocity)(np.stack(grid, axis=-1))
+    u = LinearNDInterpolator(xy, values)(np.stack(grid, axis=-1))
 
     # Nothing where there is no cell
     inside = np.zeros(grid[0].shape, bool)
@@ -188,6 +188,28 @@ def draw_streamlines(axes, case, time, n=120):
         inside[rows, columns] |= Path(polygon).contains_points(
             some.reshape(-1, 2), radius=1e-9*step).reshape(some.shape[:2])
     u[~inside] = np.nan
+    return places, u
+
+
+def draw_outline(axes, case, time, name, value, n=240):
+    """Draw the line on which a field (of vectors, its magnitude) has a value;
+    name speed: the velocity over its largest."""
+    field = case.field("U" if name == "speed" else name, time)
+    values = field if field.ndim == 1 else np.linalg.norm(field, axis=1)
+    if name == "speed":
+        values = values/max(values.max(), 1e-300)
+    centres = np.array([corners.mean(axis=0)[case.plane()]
+                        for corners in case.polygons()])
+    places, values = on_grid(case, centres, values, n)
+    return axes.contour(*places, values, levels=[value], colors="#c22a2a",
+                        linewidths=1.6)
+
+
+def draw_streamlines(axes, case, time, n=120):
+    """Draw lines along the velocity, wider where it is faster; returns what
+    matplotlib makes of them."""
+    xy, velocity = flow_in_plane(case, time)
+    places, u = on_grid(case, xy, velocity, n)
 
     speed = np.hypot(u[..., 0], u[..., 1])
     width = 0.4 + 1.4*np.nan_to_num(speed/max(np.nanmax(speed), 1e-300))
@@ -385,6 +407,8 @@ def drawing(case, options, limits, colours):
         draw_walls(axes, case)
         if options["streamlines"]:
             draw_streamlines(axes, case, time)
+        for name, value in options["outline"]:
+            draw_outline(axes, case, time, name, value)
         if options["arrows"]:
             draw_velocity(axes, case, time, key=True)
         axes.set_xlim(*limits[0])
@@ -436,6 +460,11 @@ def arguments():
                         help="draw the velocity, with its scale")
     parser.add_argument("-streamlines", action="store_true",
                         help="draw lines along the velocity")
+    parser.add_argument("-outline", nargs=2, metavar=("FIELD", "VALUE"),
+                        action="append", default=[],
+                        help="draw the line on which a field, or the magnitude"
+                        " of vectors, has a value; FIELD speed: the velocity"
+                        " over its largest, speed 0.01 around what stagnates")
     parser.add_argument("-animate", action="store_true",
                         help="a GIF of all times")
     parser.add_argument("-dpi", type=float, default=150,
@@ -460,13 +489,30 @@ def times_of(case, asked, refuse):
     if asked.time not in every:
         refuse(f"no time {asked.time}; there are {' '.join(every)}")
     times = every if asked.animate else [asked.time]
-    if asked.field and not find(case.path/times[-1]/asked.field):
-        names = sorted({f.name.removesuffix(".gz")
-                        for f in (case.path/times[-1]).iterdir()
-                        if f.is_file()})
-        refuse(f"no field {asked.field} at {times[-1]};"
-               f" there are {' '.join(names)}")
+    if asked.field:
+        check_field(case, asked.field, times[-1], refuse)
     return times
+
+
+def check_field(case, field, time, refuse):
+    """Refuse a field that is not there, with those that are."""
+    if not find(case.path/time/field):
+        names = sorted({f.name.removesuffix(".gz")
+                        for f in (case.path/time).iterdir() if f.is_file()})
+        refuse(f"no field {field} at {time}; there are {' '.join(names)}")
+
+
+def outlines_of(case, asked, times, refuse):
+    """The outlines that are asked for, (field, value)."""
+    rows = []
+    for name, value in asked.outline:
+        if name != "speed":
+            check_field(case, name, times[-1], refuse)
+        try:
+            rows.append((name, float(value)))
+        except ValueError:
+            refuse(f"no number {value}, at which {name} is to be outlined")
+    return rows
 
 
 def main():
@@ -491,7 +537,8 @@ def main():
                "material": numbers_of(asked.material, case, times[0],
                                       parser.error),
                "size": asked.size, "arrows": asked.arrows,
-               "streamlines": asked.streamlines, "dye": asked.dye},
+               "streamlines": asked.streamlines, "dye": asked.dye,
+               "outline": outlines_of(case, asked, times, parser.error)},
         limits, colours)
 
     if asked.animate:

@@ -7,6 +7,10 @@ import numpy as np
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
+#: Limit pressure of a strip on a half space over the yield stress in shear, of
+#: Prandtl (1920), smooth or rough
+PUNCH = 2 + np.pi
+
 
 class Channel:
     """A channel of half width h under the force G per volume, classical:

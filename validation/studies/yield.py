@@ -1,11 +1,12 @@
-"""Layers and channels of media that yield, against exact values; steps and
-iterations of the methods that solve for them."""
+"""Layers, channels, a strip and a block of media that yield, against exact values;
+steps and iterations of the methods that solve for them."""
 
 import numpy as np
 
 from cosserat import yielding
-from cosserat.case import RunError
-from cosserat.scenes import notch, plug
+from cosserat.case import Case, RunError, TUTORIALS
+from cosserat.scenes import notch, plug, shearBand
+from cosserat.scenes.punch import solve as strip_on_half_space
 from cosserat.scenes.yielding import solve, strip, wall_stress
 from studies.common import HERE
 
@@ -159,8 +160,58 @@ def plugs():
                       float(yielding.janssen(z, 0.3)), did)
 
 
+#: The medium of the tutorial punch
+CLAY = {"etaP": 1e-4, "tauY": 1, "regularisation": "BercovierEngelman",
+        "eps": 1e-2, **CLASSICAL}
+
+
+def punch(name, n, law="bingham", coeffs=None, **nonlinear):
+    """Row of a strip on a half space."""
+    q, did = strip_on_half_space(
+        Case(TUTORIALS/"punch"), HERE/"runs/yield/punch", n, law,
+        coeffs or CLAY, **nonlinear)
+    return row("punch", name, n, q, yielding.PUNCH, did)
+
+
+def punches():
+    """Limit pressures of a strip: on meshes, by regularisation, and of Cosserat
+    media, which the strip does not let turn (the reference is the classical
+    one)."""
+    last = None
+    for n in (8, 16, 32):
+        now = punch("eps 0.01", n)
+        if last:
+            now["order"] = float(np.log2(abs(last["error"]/now["error"])))
+        last = now
+        yield now
+    for eps in (0.1, 0.03, 0.003):
+        yield punch(f"eps {eps}", 16, coeffs={**CLAY, "eps": eps})
+    for etaV in (1e2, 1e3, 1e4):
+        yield punch(f"vonMises, etaV {etaV:g}", 16, "vonMises", {
+            "tauY": 1, "etaV": etaV, "etaVP": 0, "branch": "harmonic",
+            **CLASSICAL}, method="stressVelocity")
+    for R in (0.02, 0.05, 0.1, 0.2, 0.5, 1):
+        for n in (8, 16, 32):
+            yield punch(f"etaC = eta, R/B {R}", n,
+                        coeffs={**CLAY, "etaCRatio": 1, "R": R})
+
+
+def bands():
+    """Width of the band of a block that softens over that on the mesh before,
+    with an internal length and without."""
+    for name, law in (("R 0.05", {}), ("classical", shearBand.CLASSICAL)):
+        last = None
+        for n in (12, 24, 48):
+            case, did = shearBand.solve(Case(TUTORIALS/"shearBand"),
+                                        HERE/"runs/yield/band", n, **law)
+            angle, width = shearBand.band(case)
+            yield row("band", f"{name}, {angle:.1f} degrees", n, width,
+                      last or width, did)
+            last = width
+
+
 def study():
     """Rows: test, parameters, cells, value, reference, error (relative), order,
     nonlinear (steps), linear (iterations), cpu (s)."""
     return [*channels(), *layers(), *arrest(), *methods(),
-            *notches(), *plugs()]
+            *notches(), *plugs(), *punches(), *bands()]

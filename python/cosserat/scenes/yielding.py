@@ -6,6 +6,7 @@ import re
 import numpy as np
 
 from cosserat.case import cpu_seconds, fresh_case
+from cosserat.scenes.box import SIDES, Box, add_points
 
 
 def entries(values):
@@ -57,6 +58,26 @@ def strip(path, law, coeffs, n, V=0, G=0, omega=0, grading=1, tolerance=1e-8,
                         f" {entries(nonlinear)} }} }}\n")
     case.substitute("system/controlDict", {"writePrecision": 16})
     case.run("blockMesh")
+    return case
+
+
+def disc(path, n, law, coeffs, eta=1):
+    """A disc of points that yields, with a law, in a viscous medium that is
+    stretched: the interface cuts cells. Returns the case."""
+    exact = ("exact", "type zeroGradient;")
+    fluid = {"eta": eta, "etaC": 0, "R": 0}
+    case = Box(path, n=n, materials={"medium": fluid, "disc": fluid},
+               walls={side: exact for side in SIDES}, average=None,
+               U=lambda x, y: (x, -y), fractions=lambda x, y: 1 + 0*x,
+               tolerance=1e-8).write()
+    laws = case.path/"constant/materialProperties"
+    first = laws.read_text().split("    disc\n")[0]
+    laws.write_text(f"{first}    disc {{ rho 0; viscosityLaw {law};"
+                    f" {law}Coeffs {{ {entries(coeffs)} }} }}\n}}\n")
+    add_points(case, "{ type all; material medium; } { type disc; material"
+               " disc; centre (0.013 0.007 0); radius 0.25; }",
+               inflow="{ %s }" % " ".join(
+                   f"{side} {{ material medium; }}" for side in SIDES))
     return case
 
 

@@ -67,6 +67,25 @@ void Foam::creepingFlow::tellFunctionObjects() const
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::creepingFlow::show
+(
+    const std::function<void(const flowState&)>& use
+) const
+{
+    const tmp<volTensorField> tgradU(gradU());
+    const tmp<vectorField> tgradOmega(results().gradOmega());
+
+    use
+    (
+        flowState
+        {
+            mesh_, frame_.e(), tgradU().primitiveField(), p_.primitiveField(),
+            omega_.primitiveField(), tgradOmega(), nullptr
+        }
+    );
+}
+
+
 Foam::tmp<Foam::volTensorField> Foam::creepingFlow::stress() const
 {
     // e_kij of gamma_ij = u_i,j + e_kij omega_k                             [5]

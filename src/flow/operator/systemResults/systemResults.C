@@ -212,6 +212,20 @@ Foam::tmp<Foam::volTensorField> Foam::systemResults::gradU() const
 }
 
 
+Foam::tmp<Foam::vectorField> Foam::systemResults::gradOmega() const
+{
+    tmp<vectorField> tgrad(new vectorField(mesh_.nCells(), Zero));
+    if (s_.gradOmega.size())
+    {
+        forAll(tgrad(), celli)
+        {
+            tgrad.ref()[celli] = mesh_.frame().inSpace(s_.gradOmega[celli]);
+        }
+    }
+    return tgrad;
+}
+
+
 Foam::vector Foam::systemResults::boundaryVelocity(const label slot) const
 {
     return mesh_.frame().inSpace(s_.u[slot]);

@@ -46,6 +46,25 @@ void Foam::rateLaw::setWeights(const scalar ratio, const scalar R)
 }
 
 
+Foam::tmp<Foam::scalarField> Foam::rateLaw::softened
+(
+    const flowState& flow
+) const
+{
+    if (!softening_.valid())
+    {
+        return tmp<scalarField>::New(flow.nCells(), 1.0);
+    }
+
+    tmp<scalarField> tshare(softening_->strength(flow.mesh));
+    if (flow.toPlaces)
+    {
+        flow.toPlaces(tshare.ref());
+    }
+    return tshare;
+}
+
+
 template<class Function>
 Foam::scalar Foam::rateLaw::slope
 (
@@ -120,20 +139,12 @@ bool Foam::rateLaw::at
     slopes.byPressure.setSize(n);
     slopes.byPressure = 0;
 
-    scalarField strength(n, 1);
-    if (softening_.valid())
-    {
-        strength = softening_->strength(flow.mesh);
-        if (flow.toPlaces)
-        {
-            flow.toPlaces(strength);
-        }
-    }
+    const scalarField share(softened(flow));
 
     forAll(overRest, i)
     {
         const scalar rate = flow.shearRate(i, slopes.q, slopes.b);
-        const scalar p = flow.p[i], w = strength[i];
+        const scalar p = flow.p[i], w = share[i];
         const scalar eta = viscosity(rate, p, w);
         overRest[i] = eta/eta_.value();
 
@@ -157,6 +168,21 @@ bool Foam::rateLaw::at
         }
     }
     return true;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::rateLaw::strength
+(
+    const flowState& flow
+) const
+{
+    tmp<scalarField> tstrength(softened(flow));
+    scalarField& strength = tstrength.ref();
+    forAll(strength, i)
+    {
+        strength[i] *= yieldStress(flow.p[i]);
+    }
+    return tstrength;
 }
 
 

@@ -65,19 +65,6 @@ void Foam::viscosityLaw::setB()
 }
 
 
-Foam::scalar Foam::viscosityLaw::shearRate
-(
-    const flowState& flow,
-    const label celli
-) const
-{
-    return flow.shearRate
-    (
-        celli, etaC_.value()/eta_.value(), M_.value()/eta_.value()
-    );
-}
-
-
 void Foam::viscosityLaw::scale(const scalarField& factor)
 {
     for (materialProperty* property : {&eta_, &etaC_, &M_})
@@ -123,6 +110,28 @@ void Foam::viscosityLaw::rest()
     {
         property->rest();
     }
+}
+
+
+Foam::scalar Foam::viscosityLaw::shearRate
+(
+    const flowState& flow,
+    const label celli
+) const
+{
+    return flow.shearRate
+    (
+        celli, etaC_.value()/eta_.value(), M_.value()/eta_.value()
+    );
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::viscosityLaw::strength
+(
+    const flowState& flow
+) const
+{
+    return tmp<scalarField>::New(flow.nCells(), Zero);
 }
 
 
