@@ -71,7 +71,7 @@ Foam::label Foam::pointPopulation::splitLarge(cellPoints& points) const
         while (p.volume() > margin*largest_[p.cell()])
         {
             const label celli = p.cell();
-            materialPoint* added = splitting_.spread(cloud, p);
+            materialPoint* added = splitting_.spread(cloud, p, points[celli]);
             large.append(added);
             points[added->cell()].append(added);
             if (p.cell() != celli)
