@@ -160,6 +160,30 @@ Foam::label Foam::volumeBalance::local(const label number) const
 }
 
 
+bool Foam::volumeBalance::isTaken
+(
+    const UList<materialPoint*>& points,
+    const materialPoint* own,
+    const point& place
+) const
+{
+    for (const materialPoint* p : points)
+    {
+        const scalar V = surroundings_.mesh().V()[p->cell()];
+        if
+        (
+            p != own
+         && mag(p->position() - place) < 1e-3*surroundings_.size(V)
+        )
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
 Foam::scalarList Foam::volumeBalance::give
 (
     materialPointCloud& cloud,
@@ -195,15 +219,25 @@ Foam::scalarList Foam::volumeBalance::give
         }
     }
 
-    const scalar part = min(volume/giver->volume(), scalar(0.5));
+    const point from(giver->position());
+    const label celli = giver->cell();
+    scalar part = min(volume/giver->volume(), scalar(0.5));
+    point to(from - part/(1 - part)*(place - from));
+
+    // Places of a sequence are a lattice: what is opposite to one of them, seen
+    // from another, may be a third
+    const label mostTrials = 10;
+    for (label i = 0; i < mostTrials && isTaken(points, giver, to); ++i)
+    {
+        part *= 0.9;
+        to = from - part/(1 - part)*(place - from);
+    }
+
     scalarList numbers(giver->handsOn());
     numbers[2] = part*giver->volume();
     giver->volume() -= numbers[2];
     cloud.properties().split(*giver);
-
-    const point from(giver->position());
-    const point to(from - part/(1 - part)*(place - from));
-    if (surroundings_.contains(giver->cell(), to))
+    if (surroundings_.contains(celli, to))
     {
         giver->trackToFace(to - from, 0);
     }
@@ -339,6 +373,7 @@ Foam::label Foam::volumeBalance::handOn
 void Foam::volumeBalance::checkReach(const scalarField& fill) const
 {
     const fvMesh& mesh = surroundings_.mesh();
+    const scalar large = 0.5*planarCells::typicalVolume(mesh);
 
     scalarList upper(mesh.nPoints(), Zero);
     forAll(fill, celli)
@@ -352,7 +387,8 @@ void Foam::volumeBalance::checkReach(const scalarField& fill) const
 
     forAll(fill, celli)
     {
-        if (fill[celli] > 0)
+        // A hole of small cells is filled from its rim inward
+        if (fill[celli] > 0 || mesh.V()[celli] < large)
         {
             continue;
         }
@@ -395,7 +431,7 @@ Foam::label Foam::volumeBalance::apply
 {
     const scalarField& V = surroundings_.mesh().V();
     scalarField filled(points.cloud().census().filled());
-    const label nPasses = 20;
+    const label nPasses = 60;
     label nAdded = 0;
 
     for (label pass = 0; pass < nPasses; ++pass)
