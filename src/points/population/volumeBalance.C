@@ -163,18 +163,24 @@ Foam::label Foam::volumeBalance::local(const label number) const
 bool Foam::volumeBalance::isTaken
 (
     const UList<materialPoint*>& points,
-    const materialPoint* own,
+    const UList<point>& coming,
+    const materialPoint& own,
     const point& place
 ) const
 {
+    const scalar V = surroundings_.mesh().V()[own.cell()];
+    const scalar apart = 1e-3*surroundings_.size(V);
+
     for (const materialPoint* p : points)
     {
-        const scalar V = surroundings_.mesh().V()[p->cell()];
-        if
-        (
-            p != own
-         && mag(p->position() - place) < 1e-3*surroundings_.size(V)
-        )
+        if (p != &own && mag(p->position() - place) < apart)
+        {
+            return true;
+        }
+    }
+    for (const point& p : coming)
+    {
+        if (mag(p - place) < apart)
         {
             return true;
         }
@@ -188,6 +194,7 @@ Foam::scalarList Foam::volumeBalance::give
 (
     materialPointCloud& cloud,
     const DynamicList<materialPoint*>& points,
+    const UList<point>& coming,
     const scalar volume,
     const point& place
 ) const
@@ -227,7 +234,12 @@ Foam::scalarList Foam::volumeBalance::give
     // Places of a sequence are a lattice: what is opposite to one of them, seen
     // from another, may be a third
     const label mostTrials = 10;
-    for (label i = 0; i < mostTrials && isTaken(points, giver, to); ++i)
+    for
+    (
+        label i = 0;
+        i < mostTrials && isTaken(points, coming, *giver, to);
+        ++i
+    )
     {
         part *= 0.9;
         to = from - part/(1 - part)*(place - from);
@@ -324,6 +336,7 @@ Foam::label Foam::volumeBalance::handOn
                 (
                     cloud,
                     points[celli],
+                    taken(celli),
                     volume[pointi],
                     point(place[0][pointi], place[1][pointi], place[2][pointi])
                 )
