@@ -1,5 +1,6 @@
 """How even points stay over 1000 steps in steady flows, by the velocity that
-they are given; none is added."""
+they are given; none is added, but where the population is kept in its default
+bounds."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -9,6 +10,10 @@ from cosserat.scenes.box import Box, add_points
 from studies.common import HERE, save
 
 VELOCITIES = ["cell", "cellPoint", "faceFlux", "conservativeLinear"]
+
+#: Velocities that keep volume, with the population kept in bounds
+MENDED = {"faceFlux, mended": "faceFlux",
+          "conservativeLinear, mended": "conservativeLinear"}
 
 #: Cells a side, points a cell, steps and steps between rows. The largest
 #: |u| + |v| is 1, so that the Courant number is 1/2
@@ -70,8 +75,9 @@ def run(path, flow, velocity, n=N, steps=STEPS, every=EVERY):
     """Rows of a run."""
     case = Box(path, n=n, materials={"a": {"eta": 1, "etaC": 0, "R": 0}},
                tolerance=1e-8, **FLOWS[flow]).write()
+    bounds = {} if velocity in MENDED else {"minPointsPerCell": 0}
     add_points(case, "{ type all; material a; }", pointsPerCell=POINTS,
-               velocity=velocity, minPointsPerCell=0)
+               velocity=MENDED.get(velocity, velocity), **bounds)
     case.substitute("system/controlDict", {
         "endTime": steps/(2*n), "deltaT": 1/(2*n), "writeInterval": every})
     case.run("cosseratPicFoam")
@@ -84,8 +90,8 @@ def draw(rows):
     """A row of panels a flow."""
     figure, axes = plt.subplots(2, 3, figsize=(12, 6.5), dpi=130)
     for flow, panels in zip(FLOWS, axes):
-        for velocity, colour in zip(["exact"] + VELOCITIES,
-                                    ["black", "C0", "C1", "C2", "C3"]):
+        for velocity, colour in zip(["exact", *VELOCITIES, *MENDED],
+                                    ["black", *(f"C{i}" for i in range(6))]):
             own = [row for row in rows if row["flow"] == flow
                    and row["velocity"] == velocity]
             step = [row["step"] for row in own]
@@ -116,7 +122,7 @@ def study():
     and max of points a cell, empty (cells)."""
     rows = exact()
     for flow in FLOWS:
-        for velocity in VELOCITIES:
+        for velocity in [*VELOCITIES, *MENDED]:
             rows += run(HERE/"runs/pointDistribution"/f"{flow}-{velocity}",
                         flow, velocity)
     draw(rows)

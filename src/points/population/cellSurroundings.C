@@ -28,6 +28,54 @@ License
 #include "syncTools.H"
 #include "volFields.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::point Foam::cellSurroundings::towards
+(
+    const label celli,
+    const point& from,
+    const scalar part,
+    const UList<point>& others
+) const
+{
+    const pointField polygon(cells_.corners(celli));
+
+    // The same few again, where no point has moved, may all be taken
+    const label nTrials = 4, mostTrials = 100;
+    const scalar apart = sqr(0.001*size(mesh_.cellVolumes()[celli]));
+
+    point best(mesh_.cellCentres()[celli]);
+    scalar farthest = -1;
+
+    label trial = others.size();
+    for
+    (
+        label i = 0;
+        i < nTrials || (farthest < apart && i < mostTrials);
+        ++i
+    )
+    {
+        const point p
+        (
+            (1 - part)*from + part*planarCells::spread(axes_, polygon, trial)
+        );
+
+        scalar nearest = GREAT;
+        for (const point& other : others)
+        {
+            nearest = min(nearest, magSqr(other - p));
+        }
+        if (nearest > more*farthest)
+        {
+            farthest = nearest;
+            best = p;
+        }
+    }
+
+    return best;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::cellSurroundings::cellSurroundings(const fvMesh& mesh)
@@ -117,39 +165,6 @@ Foam::vector Foam::cellSurroundings::inPlane
 bool Foam::cellSurroundings::contains(const label celli, const point& p) const
 {
     return planarCells::contains(axes_, cells_.corners(celli), p);
-}
-
-
-Foam::point Foam::cellSurroundings::place
-(
-    const label celli,
-    const UList<point>& others
-) const
-{
-    const pointField polygon(cells_.corners(celli));
-    const label nTrials = 4;
-
-    point best(mesh_.cellCentres()[celli]);
-    scalar farthest = -1;
-
-    label trial = others.size();
-    for (label i = 0; i < nTrials; ++i)
-    {
-        const point p(planarCells::spread(axes_, polygon, trial));
-
-        scalar nearest = GREAT;
-        for (const point& other : others)
-        {
-            nearest = min(nearest, magSqr(other - p));
-        }
-        if (nearest > more*farthest)
-        {
-            farthest = nearest;
-            best = p;
-        }
-    }
-
-    return best;
 }
 
 

@@ -30,8 +30,8 @@ License
 namespace Foam
 {
     //- Share of the mean volume of the points of a cell below which one is
-    //- merged: three times what is promised
-    static const scalar tinyShare = 0.03;
+    //- merged: five times what is promised, since splitting follows
+    static const scalar tinyShare = 0.05;
 
     //- By this much more than the largest volume points are not yet split:
     //- those of the start may be as large, but for rounding
@@ -71,7 +71,7 @@ Foam::label Foam::pointPopulation::splitLarge(cellPoints& points) const
         while (p.volume() > margin*largest_[p.cell()])
         {
             const label celli = p.cell();
-            materialPoint* added = splitting_.spread(cloud, p);
+            materialPoint* added = splitting_.spread(cloud, p, points[celli]);
             large.append(added);
             points[added->cell()].append(added);
             if (p.cell() != celli)

@@ -26,6 +26,21 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::List<Foam::point> Foam::pointSplitting::places
+(
+    const UList<materialPoint*>& points
+)
+{
+    List<point> places(points.size());
+    forAll(points, i)
+    {
+        places[i] = points[i]->position();
+    }
+
+    return places;
+}
+
+
 Foam::vector Foam::pointSplitting::way
 (
     const materialPoint& p,
@@ -36,11 +51,7 @@ Foam::vector Foam::pointSplitting::way
     const point middle(p.position());
     const label nAngles = 8, nLengths = 5;
 
-    List<point> places(others.size());
-    forAll(others, i)
-    {
-        places[i] = others[i]->position();
-    }
+    const List<point> at(places(others));
 
     // The sequence of golden parts: no two splits of a cell look the same way
     const scalar golden = 0.61803398874989485;
@@ -76,8 +87,8 @@ Foam::vector Foam::pointSplitting::way
             {
                 if (others[i] != &p)
                 {
-                    nearest = min(nearest, magSqr(places[i] - middle - d));
-                    nearest = min(nearest, magSqr(places[i] - middle + d));
+                    nearest = min(nearest, magSqr(at[i] - middle - d));
+                    nearest = min(nearest, magSqr(at[i] - middle + d));
                 }
             }
             if (nearest > cellSurroundings::more*farthest)
@@ -103,7 +114,8 @@ Foam::vector Foam::pointSplitting::way
 Foam::materialPoint* Foam::pointSplitting::spread
 (
     materialPointCloud& cloud,
-    materialPoint& p
+    materialPoint& p,
+    const UList<materialPoint*>& here
 ) const
 {
     const label nAngles = 4, nLengths = 4;
@@ -146,7 +158,7 @@ Foam::materialPoint* Foam::pointSplitting::spread
     materialPoint* added = new materialPoint
     (
         surroundings_.mesh(),
-        0.75*from + 0.25*surroundings_.place(p.cell(), List<point>(1, from)),
+        surroundings_.inward(p.cell(), from, places(here)),
         p.cell(),
         p.handsOn()
     );
@@ -177,12 +189,7 @@ Foam::materialPoint* Foam::pointSplitting::split
     }
     else
     {
-        List<point> places(here.size());
-        forAll(here, i)
-        {
-            places[i] = here[i]->position();
-        }
-        to = 0.75*from + 0.25*surroundings_.place(p.cell(), places);
+        to = surroundings_.inward(p.cell(), from, places(here));
     }
 
     materialPoint* added = new materialPoint(mesh, to, p.cell(), p.handsOn());

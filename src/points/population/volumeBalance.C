@@ -160,10 +160,41 @@ Foam::label Foam::volumeBalance::local(const label number) const
 }
 
 
+bool Foam::volumeBalance::isTaken
+(
+    const UList<materialPoint*>& points,
+    const UList<point>& coming,
+    const materialPoint& own,
+    const point& place
+) const
+{
+    const scalar V = surroundings_.mesh().V()[own.cell()];
+    const scalar apart = 1e-3*surroundings_.size(V);
+
+    for (const materialPoint* p : points)
+    {
+        if (p != &own && mag(p->position() - place) < apart)
+        {
+            return true;
+        }
+    }
+    for (const point& p : coming)
+    {
+        if (mag(p - place) < apart)
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
 Foam::scalarList Foam::volumeBalance::give
 (
     materialPointCloud& cloud,
     const DynamicList<materialPoint*>& points,
+    const UList<point>& coming,
     const scalar volume,
     const point& place
 ) const
@@ -195,15 +226,30 @@ Foam::scalarList Foam::volumeBalance::give
         }
     }
 
-    const scalar part = min(volume/giver->volume(), scalar(0.5));
+    const point from(giver->position());
+    const label celli = giver->cell();
+    scalar part = min(volume/giver->volume(), scalar(0.5));
+    point to(from - part/(1 - part)*(place - from));
+
+    // Places of a sequence are a lattice: what is opposite to one of them, seen
+    // from another, may be a third
+    const label mostTrials = 10;
+    for
+    (
+        label i = 0;
+        i < mostTrials && isTaken(points, coming, *giver, to);
+        ++i
+    )
+    {
+        part *= 0.9;
+        to = from - part/(1 - part)*(place - from);
+    }
+
     scalarList numbers(giver->handsOn());
     numbers[2] = part*giver->volume();
     giver->volume() -= numbers[2];
     cloud.properties().split(*giver);
-
-    const point from(giver->position());
-    const point to(from - part/(1 - part)*(place - from));
-    if (surroundings_.contains(giver->cell(), to))
+    if (surroundings_.contains(celli, to))
     {
         giver->trackToFace(to - from, 0);
     }
@@ -290,6 +336,7 @@ Foam::label Foam::volumeBalance::handOn
                 (
                     cloud,
                     points[celli],
+                    taken(celli),
                     volume[pointi],
                     point(place[0][pointi], place[1][pointi], place[2][pointi])
                 )
@@ -339,6 +386,7 @@ Foam::label Foam::volumeBalance::handOn
 void Foam::volumeBalance::checkReach(const scalarField& fill) const
 {
     const fvMesh& mesh = surroundings_.mesh();
+    const scalar large = 0.5*planarCells::typicalVolume(mesh);
 
     scalarList upper(mesh.nPoints(), Zero);
     forAll(fill, celli)
@@ -352,7 +400,8 @@ void Foam::volumeBalance::checkReach(const scalarField& fill) const
 
     forAll(fill, celli)
     {
-        if (fill[celli] > 0)
+        // A hole of small cells is filled from its rim inward
+        if (fill[celli] > 0 || mesh.V()[celli] < large)
         {
             continue;
         }
@@ -395,7 +444,7 @@ Foam::label Foam::volumeBalance::apply
 {
     const scalarField& V = surroundings_.mesh().V();
     scalarField filled(points.cloud().census().filled());
-    const label nPasses = 20;
+    const label nPasses = 60;
     label nAdded = 0;
 
     for (label pass = 0; pass < nPasses; ++pass)
