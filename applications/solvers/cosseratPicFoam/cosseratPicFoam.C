@@ -71,6 +71,7 @@ SourceFiles
 
 #include "fvCFD.H"
 #include "checkedEntry.H"
+#include "axialCentres.H"
 #include "centreGeometry.H"
 #include "checkedText.H"
 #include "continuedTime.H"
