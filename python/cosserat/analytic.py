@@ -10,7 +10,7 @@ SI units throughout; every function takes and returns numpy arrays.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import ive, kve
+from scipy.special import iv, ive, kve
 
 
 @dataclass(frozen=True)
@@ -556,6 +556,115 @@ class Manufactured:
             self._d(lambda a, b, i=i: M(a, b)*self._d(self.omega, i)(a, b),
                     i)(x, y) for i in (0, 1))
         return -bending + (self._stress(0, 1)(x, y) - self._stress(1, 0)(x, y))
+
+
+class PipeFlow:
+    """Flow along the axis of a pipe of radius a under a gradient G = -dp/dz
+    [Pa/m], u(a) = 0; omega(a) = 0, or its couple if free.
+
+    Microrotation about e_theta, positive with (curl u)/2 = -u'/2.
+    """
+
+    def __init__(self, material, a, G, free=False):
+        self.material, self.a, self.G = material, a, G
+        m = material
+        i0, i1 = iv(0, a/m.delta), iv(1, a/m.delta)
+        if free:
+            self.b = -G*m.delta/(4*m.eta*(i0 - i1*m.delta/a))
+        else:
+            self.b = -G*a/(4*m.eta*i1)
+
+    def u(self, r):
+        """Velocity along the axis [m/s]."""
+        m = self.material
+        return (self.G*(self.a**2 - r**2)/(4*m.eta) + m.factor*self.b
+                * (iv(0, self.a/m.delta) - iv(0, r/m.delta)))
+
+    def omega(self, r):
+        """Microrotation [1/s]."""
+        m = self.material
+        return self.G*r/(4*m.eta) + self.b*iv(1, r/m.delta)
+
+    def rate(self):
+        """Volume per time [m3/s]."""
+        m, a = self.material, self.a
+        return (np.pi*self.G*a**4/(8*m.eta) + 2*np.pi*m.factor*self.b
+                * (iv(0, a/m.delta)*a**2/2 - m.delta*a*iv(1, a/m.delta)))
+
+    def over_poiseuille(self):
+        """Rate over that of the classical fluid of the same eta."""
+        return self.rate()*8*self.material.eta/(np.pi*self.G*self.a**4)
+
+
+class SphereFlow:
+    """A sphere of radius a at rest in a stream U along x, without a wall slip;
+    omega = 0 on it, or its couple zero if free.
+
+    u_r = U cos(t) A, u_t = -U sin(t) (r^2 A)'/2r with
+    A = 1 + c/r^3 + b/r + d k1(kr)/r and omega = U sin(t) (b/2r^2 + e k1(kr)).
+    """
+
+    def __init__(self, material, a, U, free=False):
+        self.material, self.a, self.U = material, a, U
+        m, self.k = material, 1/material.delta
+        # omega = b/2r^2 + e k1: (curl u)/2 of the terms, and s of the last
+        self.by_e = -4*m.etaC/((m.eta + m.etaC)*self.k**2)
+        k1, slope = self._k1(a), self._slope(a)
+        if free:
+            # M omega,r - 0 omega/r, the couple stress across the surface
+            spin = [-1/a**3, slope]
+        else:
+            spin = [1/(2*a**2), k1]
+        # Unknown c, b, e: A(a) = 0, (r^2 A)' = 0 there, spin = 0
+        rows = np.array([
+            [1/a**3, 1/a, self.by_e*k1/a],
+            [-1/a**2, 1, self.by_e*(k1 + a*slope)],
+            [0, *spin]])
+        self.c, self.b, self.e = np.linalg.solve(rows, [-1, -2*a, 0])
+
+    def _k1(self, r):
+        x = self.k*r
+        return np.exp(-(x - self.k*self.a))*(1/x + 1/x**2)
+
+    def _slope(self, r):
+        x = self.k*r
+        return -self.k*np.exp(-(x - self.k*self.a))*(1/x + 2/x**2 + 2/x**3)
+
+    def fields(self, x, y):
+        """u_x, u_y [m/s], p [Pa] and omega [1/s] at x along the axis and y
+        from it."""
+        r = np.hypot(x, y)
+        cos, sin = x/r, y/r
+        k1 = self._k1(r)
+        A = 1 + self.c/r**3 + self.b/r + self.by_e*self.e*k1/r
+        # (r^2 A)'/2r
+        B = (1 - self.c/(2*r**3) + self.b/(2*r)
+             + self.by_e*self.e*(k1 + r*self._slope(r))/(2*r))
+        ur, ut = self.U*cos*A, -self.U*sin*B
+        p = self.material.eta*self.U*self.b*cos/r**2
+        omega = self.U*sin*(self.b/(2*r**2)/1 + self.e*k1)
+        return ur*cos - ut*sin, ur*sin + ut*cos, p, omega
+
+    def drag(self):
+        """Force along the stream on the sphere [N]."""
+        return -4*np.pi*self.material.eta*self.U*self.b
+
+    def over_stokes(self):
+        """Drag over 6 pi eta a U."""
+        return self.drag()/(6*np.pi*self.material.eta*self.a*self.U)
+
+
+class ConeFlow:
+    """Sink flow of speed C/r^2 towards the tip, in a cone whose walls slip: no
+    rotation, no pressure gradient, for every Cosserat medium."""
+
+    def __init__(self, C=1.0):
+        self.C = C
+
+    def u(self, x, y):
+        """Velocity along the axis and away from it, shape (2, ...)."""
+        r3 = np.hypot(x, y)**3
+        return -self.C*np.array([x, y])/r3
 
 
 def wall_velocity_no_rotation(material, h, sigma):

@@ -646,6 +646,7 @@ void Foam::creepingFlow::solveOnce()
 {
     if (materials_.followsFlow())
     {
+        refuseInWedge();
         // Updates the system as it goes
         system_.updateWalls();
         system_.update();

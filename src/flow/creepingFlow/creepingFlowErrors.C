@@ -63,6 +63,23 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::creepingFlow::refuseInWedge() const
+{
+    if (system_.faces().axial().active())
+    {
+        const fileName file
+        (
+            mesh_.time().path()/mesh_.time().constant()/"materialProperties"
+        );
+        FatalIOErrorInFunction(dictionary(file))
+            << "A viscosity follows the flow, on a wedge: the rates that it"
+            << " would see have no strain around the axis" << nl
+            << "    Allowed: laws of constant viscosities (constant,"
+            << " granularContact), or a planar mesh" << exit(FatalIOError);
+    }
+}
+
+
 void Foam::creepingFlow::refuseNotFinite() const
 {
     FatalErrorInFunction

@@ -23,6 +23,7 @@ License
 
 #include "systemResults.H"
 #include "surfaceFields.H"
+#include "wedgeFvPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -117,6 +118,10 @@ void Foam::systemResults::getFluxes(surfaceScalarField& phi) const
     {
         scalarField& phip = phi.boundaryFieldRef()[patchi];
         const label start = mesh_.faceOf(mesh_.halo().start(patchi));
+        if (isA<wedgeFvPatch>(mesh_.mesh().boundary()[patchi]))
+        {
+            continue;
+        }
         forAll(phip, i)
         {
             phip[i] = s_.flux[start + i];
@@ -143,6 +148,12 @@ Foam::tmp<Foam::volTensorField> Foam::systemResults::gradU() const
     forAll(grad, celli)
     {
         grad[celli] = mesh_.frame().inSpace(s_.G[celli]);
+        if (mesh_.axial().active())
+        {
+            const vector e(mesh_.frame().e());
+            grad[celli] += (e*e)
+               *(s_.u[celli] & mesh_.radial())/mesh_.radius(celli);
+        }
     }
     grad.correctBoundaryConditions();
 
@@ -193,6 +204,14 @@ Foam::tmp<Foam::scalarField> Foam::systemResults::dissipated() const
         power[celli] += 4*mesh_.V()[celli]*K.etaC(celli)
            *s_.relativeRotation(celli)*s_.omega[celli];
     }
+    if (system_.hoop().active())
+    {
+        forAll(power, celli)
+        {
+            power[celli] -= system_.hoop().force(s_, celli)
+               *(s_.u[celli] & mesh_.radial());
+        }
+    }
 
     return tpower;
 }
@@ -231,6 +250,14 @@ Foam::tmp<Foam::scalarField> Foam::systemResults::bent() const
         power[face.own] +=
             system_.viscous().coupleOnWall(s_, f, true)
            *(s_.omega[face.nei] - s_.omega[face.own]);
+    }
+    if (system_.hoop().active())
+    {
+        forAll(power, celli)
+        {
+            power[celli] -=
+                system_.hoop().couple(s_, celli)*s_.omega[celli];
+        }
     }
 
     return tpower;
@@ -274,6 +301,10 @@ Foam::powerTerms Foam::systemResults::power() const
     )
     {
         reduce(*term, sumOp<scalar>());
+        if (mesh_.axial().active())
+        {
+            *term *= mesh_.axial().toCircle();
+        }
     }
 
     return sum;
