@@ -597,8 +597,8 @@ class PipeFlow:
 
 
 class SphereFlow:
-    """A sphere of radius a at rest in a stream U along x, without a wall slip;
-    omega = 0 on it, or its couple zero if free.
+    """A sphere of radius a at rest in a stream U along x, which does not slip on
+    it; omega = 0 there, or the couple if free.
 
     u_r = U cos(t) A, u_t = -U sin(t) (r^2 A)'/2r with
     A = 1 + c/r^3 + b/r + d k1(kr)/r and omega = U sin(t) (b/2r^2 + e k1(kr)).
@@ -642,7 +642,7 @@ class SphereFlow:
              + self.by_e*self.e*(k1 + r*self._slope(r))/(2*r))
         ur, ut = self.U*cos*A, -self.U*sin*B
         p = self.material.eta*self.U*self.b*cos/r**2
-        omega = self.U*sin*(self.b/(2*r**2)/1 + self.e*k1)
+        omega = self.U*sin*(self.b/(2*r**2) + self.e*k1)
         return ur*cos - ut*sin, ur*sin + ut*cos, p, omega
 
     def drag(self):
@@ -665,6 +665,47 @@ class ConeFlow:
         """Velocity along the axis and away from it, shape (2, ...)."""
         r3 = np.hypot(x, y)**3
         return -self.C*np.array([x, y])/r3
+
+
+class ManufacturedAxial(Manufactured):
+    """The same around the axis y = 0 of a cylinder 0 < x < 1, y < 1, which is
+    in the flow: with stream function y^2 (1 - y^2)^2 sin^2(pi x) the fluid
+    rests at all walls; omega is y (1 + sin(pi x)/2), p cos(pi x)(1 - y^2).
+    """
+
+    #: No multiple of it is the middle of a cell
+    STEP = 4.71e-3
+
+    def __init__(self, first, second):
+        super().__init__(lambda x, y: x, lambda x, y: y, first, second)
+
+    def u(self, x, y):
+        """Velocity along the axis and away from it [m/s], shape (2, ...)."""
+        rest = 1 - y**2
+        return np.array([
+            2*rest*(1 - 3*y**2)*np.sin(np.pi*x)**2,
+            -np.pi*y*rest**2*np.sin(2*np.pi*x)])
+
+    def omega(self, x, y):
+        """Microrotation [1/s]."""
+        return y*(1 + 0.5*np.sin(np.pi*x))
+
+    def p(self, x, y):
+        """Pressure [Pa]."""
+        return np.cos(np.pi*x)*(1 - y**2)
+
+    def force(self, x, y):
+        """Body force [N/m3] that the linear balance needs, shape (2, ...)."""
+        hoop = 2*self._mix("eta")(x, y)*self.u(x, y)[1]/y - self.p(x, y)
+        across = [self._stress(i, 1)(x, y) for i in (0, 1)]
+        return super().force(x, y) - np.array(
+            [across[0]/y, (across[1] - hoop)/y])
+
+    def couple(self, x, y):
+        """Body couple [Pa] that the angular balance needs."""
+        M = self._mix("M")(x, y)
+        slope = self._d(self.omega, 1)(x, y)
+        return super().couple(x, y) - M*(slope - self.omega(x, y)/y)/y
 
 
 def wall_velocity_no_rotation(material, h, sigma):

@@ -7,9 +7,6 @@ from cosserat.case import Case
 
 HEADER = "FoamFile {{ version 2.0; format ascii; class {}; object {}; }}\n"
 
-#: Sides of the block, from which the last may be on the axis
-SIDES = ("left", "right", "top", "bottom")
-
 
 class AxialCase(Case):
     """A wedge with its axis along x, its mid-plane that of x and y.
@@ -112,7 +109,9 @@ class AxialCase(Case):
                 sides["front"].append((cell(i, j), [front[k] for k in quad]))
                 sides["back"].append((cell(i, j),
                                       [behind[k] for k in quad[::-1]]))
-        sides["bottom"] = [f for f in sides["bottom"] if len(f[1]) > 2]
+        # On the axis there is no face
+        sides = {name: [f for f in those if len(f[1]) > 2]
+                 for name, those in sides.items()}
 
         faces = [f[2] for f in inner]
         owner = [f[0] for f in inner]
