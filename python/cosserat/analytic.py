@@ -10,7 +10,7 @@ SI units throughout; every function takes and returns numpy arrays.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import iv, ive, kve
+from scipy.special import iv, ive, kv, kve
 
 
 @dataclass(frozen=True)
@@ -594,6 +594,57 @@ class PipeFlow:
     def over_poiseuille(self):
         """Rate over that of the classical fluid of the same eta."""
         return self.rate()*8*self.material.eta/(np.pi*self.G*self.a**4)
+
+
+class LayeredPipe:
+    """The same with a core of another material up to the radius b, where u,
+    omega and M omega' are continuous; omega = 0 on the wall."""
+
+    def __init__(self, core, shell, b, a, G):
+        self.media, self.b, self.a, self.G = (core, shell), b, a, G
+        near, far = self._terms(core, b), self._terms(shell, b)
+        wall = self._terms(shell, a)
+        rows = [[near[0][0], -far[0][0], -far[0][1]],
+                [core.M*near[1][0], -shell.M*far[1][0], -shell.M*far[1][1]],
+                [0, *wall[0]]]
+        steps = [G*b/4*(1/shell.eta - 1/core.eta),
+                 G/4*(shell.M/shell.eta - core.M/core.eta),
+                 -G*a/(4*shell.eta)]
+        c, d, e = np.linalg.solve(rows, steps)
+        self.factors = (c, 0.0), (d, e)
+
+    @staticmethod
+    def _terms(m, r):
+        """I1 and K1 of r/delta, and their slopes."""
+        x = r/m.delta
+        return ((iv(1, x), kv(1, x)),
+                ((iv(0, x) - iv(1, x)/x)/m.delta,
+                 (-kv(0, x) - kv(1, x)/x)/m.delta))
+
+    def _in(self, layer, r):
+        m = self.media[layer]
+        grow, fall = self._terms(m, r)[0]
+        c, d = self.factors[layer]
+        return self.G*r/(4*m.eta) + c*grow + (d*fall if d else 0)
+
+    def _lost(self, layer, r):
+        """Minus the integral of u', up to a constant."""
+        m = self.media[layer]
+        c, d = self.factors[layer]
+        x = r/m.delta
+        return (self.G*r**2/(4*m.eta) + m.factor
+                * (c*iv(0, x) - (d*kv(0, x) if d else 0)))
+
+    def omega(self, r):
+        """Microrotation [1/s]."""
+        return np.where(r < self.b, self._in(0, r), self._in(1, r))
+
+    def u(self, r):
+        """Velocity along the axis [m/s]."""
+        inner = (self._lost(0, self.b) - self._lost(0, r)
+                 + self._lost(1, self.a) - self._lost(1, self.b))
+        return np.where(r < self.b, inner,
+                        self._lost(1, self.a) - self._lost(1, r))
 
 
 class SphereFlow:
