@@ -20,6 +20,7 @@ MESH = {
     "dune": {"nx": 32, "ny": 16},
     "gravityChannel": {"n": 8},
     "hopper": {"nx": 12, "nSpout": 3, "nCone": 10, "nBin": 6},
+    "pipe": {"n": 12},
     "rayleighTaylor": {"n": 16},
     "schemes": {"nx": 20, "ny": 20},
     "shearLayer": {"n": 12},
