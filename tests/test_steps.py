@@ -26,6 +26,7 @@ MESH = {
     "shearLayer": {"n": 12},
     "silo": mesh_entries(4),
     "sinkingInclusion": {"n": 16},
+    "sphereDrag": {"n": 8, "nQuarter": 8},
     "template": {"nx": 20, "ny": 20},
 }
 
