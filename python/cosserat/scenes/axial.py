@@ -5,6 +5,9 @@ import numpy as np
 
 from cosserat.case import Case
 
+#: Sides of the block
+SIDES = ("left", "right", "bottom", "top")
+
 HEADER = "FoamFile {{ version 2.0; format ascii; class {}; object {}; }}\n"
 
 
@@ -16,13 +19,13 @@ class AxialCase(Case):
     (U, p_rgh, omega), each text or a function (x, y) of values; cyclic: are
     left and right one; materials: dict of name: dict of eta, etaC, R, B, rho;
     fractions: function (x, y) of the first one's; g: along the axis; angle
-    between the planes [degrees]."""
+    between the planes [degrees]; triangles: halve the cells."""
 
     def __init__(self, path, shape, n, walls, materials, cyclic=False,
                  fractions=None, g=None, force=None, couple=None, angle=5.0,
-                 tolerance=1e-10, functions=""):
+                 tolerance=1e-10, functions="", triangles=False):
         super().__init__(path)
-        self.n, self.cyclic = n, cyclic
+        self.n, self.cyclic, self.triangles = n, cyclic, triangles
         s, t = np.meshgrid(*(np.linspace(0, 1, k + 1) for k in n))
         self.nodes = np.array(shape(s, t))
         self.slope = np.tan(np.radians(angle)/2)
@@ -41,17 +44,25 @@ class AxialCase(Case):
     def middles(self):
         """Centres of the cells in the mid-plane, shape (2, cells): those that
         the solver takes."""
-        x, y = self.nodes
-        corners = [np.array([x[i, j], y[i, j]]) for i, j in (
-            (slice(None, -1), slice(None, -1)), (slice(None, -1), slice(1, None)),
-            (slice(1, None), slice(1, None)), (slice(1, None), slice(None, -1)))]
-        area, moment = 0, 0
-        for b, c in zip(corners[1:], corners[2:]):
-            a = corners[0]
-            part = ((b - a)[0]*(c - a)[1] - (b - a)[1]*(c - a)[0])/2
+        return self._sums()[1]
+
+    def volumes(self):
+        """Volumes of the cells of the wedge, by the rule of Pappus."""
+        area, (_, y) = self._sums()
+        return area*y*2*self.slope
+
+    def _sums(self):
+        """Areas and centroids of the polygons."""
+        nodes = self.nodes.reshape(2, -1)
+        corners = nodes[:, np.array(self._polygons())]
+        first, area, moment = corners[:, :, 0], 0, 0
+        for k in range(1, corners.shape[2] - 1):
+            b, c = corners[:, :, k], corners[:, :, k + 1]
+            part = ((b - first)[0]*(c - first)[1]
+                    - (b - first)[1]*(c - first)[0])/2
             area = area + part
-            moment = moment + part*(a + b + c)/3
-        return (moment/area).reshape(2, -1)
+            moment = moment + part*(first + b + c)/3
+        return area, moment/area
 
     def side(self, name):
         """Middles of the edges of a side, shape (2, edges)."""
@@ -60,8 +71,21 @@ class AxialCase(Case):
         middles = (line[:, 1:] + line[:, :-1])/2
         return middles[:, middles[1] > 1e-12]
 
-    def _mesh(self):
+    def _polygons(self):
+        """Numbers of the nodes around each cell, row by row."""
         nx, ny = self.n
+        quads = [[k, k + 1, k + nx + 2, k + nx + 1]
+                 for j in range(ny)
+                 for k in range(j*(nx + 1), j*(nx + 1) + nx)]
+        if not self.triangles:
+            return quads
+        # Diagonals in turn, as nothing of a uniform mesh would be skewed less
+        return [half for i, (a, b, c, d) in enumerate(quads)
+                for half in (([a, b, c], [a, c, d]) if (i//nx + i) % 2
+                             else ([a, b, d], [b, c, d]))]
+
+    def _mesh(self):
+        nx = self.n[0]
         x, y = (q.ravel() for q in self.nodes)
         on_axis = y < 1e-12
         front = np.arange(x.size)
@@ -71,48 +95,40 @@ class AxialCase(Case):
         points = [*zip(x, np.where(on_axis, 0, y), self.slope*y*~on_axis),
                   *zip(x[~on_axis], y[~on_axis], -self.slope*y[~on_axis])]
 
-        def node(i, j):
-            return j*(nx + 1) + i
-
-        def cell(i, j):
-            return j*nx + i
-
         def upright(a, b):
             """The face over an edge, its normal to the right from a to b."""
             return list(dict.fromkeys(
                 [front[a], behind[a], behind[b], front[b]]))
 
-        inner = []
-        for j in range(ny):
-            for i in range(nx):
-                if i + 1 < nx:
-                    inner.append((cell(i, j), cell(i + 1, j),
-                                  upright(node(i + 1, j), node(i + 1, j + 1))))
-                if j + 1 < ny:
-                    inner.append((cell(i, j), cell(i, j + 1),
-                                  upright(node(i + 1, j + 1), node(i, j + 1))))
+        # Edges by their ends, as their first cell runs through them
+        edges, inner = {}, []
+        for label, nodes in enumerate(self._polygons()):
+            for a, b in zip(nodes, nodes[1:] + nodes[:1]):
+                if (b, a) in edges:
+                    inner.append((edges.pop((b, a)), label, upright(b, a)))
+                else:
+                    edges[a, b] = label
         inner.sort(key=lambda face: face[:2])
-        sides = {
-            "left": [(cell(0, j), upright(node(0, j + 1), node(0, j)))
-                     for j in range(ny)],
-            "right": [(cell(nx - 1, j), upright(node(nx, j), node(nx, j + 1)))
-                      for j in range(ny)],
-            "bottom": [(cell(i, 0), upright(node(i, 0), node(i + 1, 0)))
-                       for i in range(nx)],
-            "top": [(cell(i, ny - 1), upright(node(i + 1, ny), node(i, ny)))
-                    for i in range(nx)],
-            "front": [], "back": []}
-        for j in range(ny):
-            for i in range(nx):
-                quad = [node(i, j), node(i + 1, j), node(i + 1, j + 1),
-                        node(i, j + 1)]
-                sides["front"].append((cell(i, j), [front[k] for k in quad]))
-                sides["back"].append((cell(i, j),
-                                      [behind[k] for k in quad[::-1]]))
-        # On the axis there is no face
-        sides = {name: [f for f in those if len(f[1]) > 2]
-                 for name, those in sides.items()}
 
+        sides = {name: [] for name in SIDES}
+        row, column = np.divmod(front, nx + 1)
+        for (a, b), label in edges.items():
+            name = ("left" if column[a] == column[b] == 0 else
+                    "right" if column[a] == column[b] == nx else
+                    "bottom" if row[a] == row[b] == 0 else "top")
+            # On the axis there is no face
+            if len(upright(a, b)) > 2:
+                sides[name].append((label, upright(a, b)))
+        for name in sides:
+            along = column if name in ("top", "bottom") else row
+            sides[name].sort(key=lambda face, q=along: q[
+                [k for k in face[1] if k < x.size]].sum())
+        sides["front"] = [(label, [front[k] for k in nodes])
+                          for label, nodes in enumerate(self._polygons())]
+        sides["back"] = [(label, [behind[k] for k in nodes[::-1]])
+                         for label, nodes in enumerate(self._polygons())]
+
+        n_cells = len(sides["front"])
         faces = [f[2] for f in inner]
         owner = [f[0] for f in inner]
         boundary = ""
@@ -141,7 +157,7 @@ class AxialCase(Case):
             [f"{len(f)}({' '.join(map(str, f))})" for f in faces]), "faceList")
         for name, labels in (("owner", owner),
                              ("neighbour", [f[1] for f in inner])):
-            note = (f'    note "nPoints: {len(points)} nCells: {nx*ny} nFaces:'
+            note = (f'    note "nPoints: {len(points)} nCells: {n_cells} nFaces:'
                     f' {len(faces)} nInternalFaces: {len(inner)}"')
             self.write(mesh + name, listed([str(k) for k in labels]),
                        "labelList; " + note)
@@ -216,13 +232,6 @@ interpolationSchemes { default linear; } snGradSchemes { default corrected; }
             text += f"{patch} {{ {entry} }}\n"
         self.write(f"0/{name}", f"dimensions {dims};\ninternalField {inside};\n"
                    f"boundaryField\n{{\n{text}}}\n", cls)
-
-    def volumes(self):
-        """Volumes of the cells of the wedge, by the rule of Pappus."""
-        x, y = self.nodes
-        area = 0.5*np.abs((x[1:, 1:] - x[:-1, :-1])*(y[1:, :-1] - y[:-1, 1:])
-                          - (x[1:, :-1] - x[:-1, 1:])*(y[1:, 1:] - y[:-1, :-1]))
-        return area.ravel()*self.middles()[1]*2*self.slope
 
     def solve_and_compare(self, u, omega=None, p=None):
         """Relative L2 errors of a solved case against functions (x, y), by

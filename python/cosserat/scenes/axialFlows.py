@@ -107,9 +107,9 @@ def cone(path, n, half=25.0):
     return row("cone", case, errors, 1 + spread, 1.0, half=half)
 
 
-def manufactured(path, n, wavy=False, tolerance=1e-8):
+def manufactured(path, n, wavy=False, tolerance=1e-8, triangles=False):
     """A made-up flow of varying materials with the axis in it, on n x n cells,
-    straight or wavy; the value is that of the velocity's norm."""
+    straight or wavy, or halved; the value is that of the velocity's norm."""
     exact = ManufacturedAxial(*MIXED.values())
     wave = 0.06*wavy
 
@@ -123,7 +123,8 @@ def manufactured(path, n, wavy=False, tolerance=1e-8):
                      {"left": wall, "right": wall, "top": wall},
                      {name: entries(m) for name, m in MIXED.items()},
                      fractions=exact.alpha, force=exact.force,
-                     couple=exact.couple, tolerance=tolerance)
+                     couple=exact.couple, tolerance=tolerance,
+                     triangles=triangles)
     errors = case.solve_and_compare(exact.u, exact.omega, exact.p)
     V = case.volumes()
 
@@ -132,4 +133,5 @@ def manufactured(path, n, wavy=False, tolerance=1e-8):
 
     return row("manufactured", case, errors, norm(case.field("U")[:, :2].T),
                norm(exact.u(*case.middles())),
-               mesh="wavy" if wavy else "straight")
+               mesh="triangles" if triangles else "wavy" if wavy
+               else "straight")
