@@ -707,7 +707,8 @@ class SphereFlow:
 
 class ConeFlow:
     """Sink flow of speed C/r^2 towards the tip, in a cone whose walls slip: no
-    rotation, no pressure gradient, for every Cosserat medium."""
+    rotation, no pressure gradient, for every Cosserat medium. The flow is that
+    of media whose viscosity follows it, too."""
 
     def __init__(self, C=1.0):
         self.C = C
@@ -716,6 +717,13 @@ class ConeFlow:
         """Velocity along the axis and away from it, shape (2, ...)."""
         r3 = np.hypot(x, y)**3
         return -self.C*np.array([x, y])/r3
+
+    def p(self, x, y, n):
+        """Pressure [Pa] of a power law, viscosity Gamma^(n - 1), but for a
+        constant: p' = tau' + 3 tau/r with tau = sigma_rr + p."""
+        C = self.C
+        tau = 4*C*(2*np.sqrt(3)*C)**(n - 1)*np.hypot(x, y)**(-3*n)
+        return -tau*(1 - n)/n
 
 
 class ManufacturedAxial(Manufactured):

@@ -17,7 +17,8 @@ class AxialCase(Case):
     shape: function (s, t) -> (x, y) of the unit square, s from left to right
     and t from bottom to top; n: cells along s and t; walls: dict of side:
     (U, p_rgh, omega), each text or a function (x, y) of values; cyclic: are
-    left and right one; materials: dict of name: dict of eta, etaC, R, B, rho;
+    left and right one; materials: dict of name: dict of eta, etaC, R, B, rho,
+    or law, coeffs (text), rho;
     fractions: function (x, y) of the first one's; g: along the axis; angle
     between the planes [degrees]; triangles: halve the cells."""
 
@@ -184,6 +185,9 @@ interpolationSchemes { default linear; } snGradSchemes { default corrected; }
         self.write("system/fvSolution",
                    f"creepingFlow {{ tolerance {tolerance}; }}\n")
         laws = "\n".join(
+            f"{name} {{ rho {m.get('rho', 0)}; viscosityLaw {m['law']};"
+            f" {m['law']}Coeffs {{ {m['coeffs']} }} }}"
+            if "law" in m else
             f"{name} {{ rho {m.get('rho', 0)}; viscosityLaw constant;"
             f" constantCoeffs {{ eta {m['eta']}; etaC {m['etaC']};"
             f" R {m['R']}; B {m.get('B', 'infinite')}; }} }}"

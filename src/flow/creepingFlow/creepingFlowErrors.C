@@ -65,17 +65,23 @@ namespace Foam
 
 void Foam::creepingFlow::refuseInWedge() const
 {
-    if (system_.faces().axial().active())
+    if
+    (
+        system_.faces().axial().active()
+     && materials_.parts().has(sceneParts::COMPRESSIBILITY)
+    )
     {
         const fileName file
         (
             mesh_.time().path()/mesh_.time().constant()/"materialProperties"
         );
         FatalIOErrorInFunction(dictionary(file))
-            << "A viscosity follows the flow, on a wedge: the rates that it"
-            << " would see have no strain around the axis" << nl
-            << "    Allowed: laws of constant viscosities (constant,"
-            << " granularContact), or a planar mesh" << exit(FatalIOError);
+            << "A viscosity follows the flow, on a wedge, and a bulk viscosity"
+            << " is finite: the rates that it would see are deviators of the"
+            << " plane" << nl
+            << "    Allowed: B infinite, laws of constant viscosities"
+            << " (constant, granularContact), or a planar mesh"
+            << exit(FatalIOError);
     }
 }
 

@@ -66,6 +66,10 @@ void Foam::viscosityTangent::setCell
       ? 0
       : -4*system_.faces().V()[celli]*system_.coefficients().etaC(celli)
        *s.relativeRotation(celli);
+    if (system_.hoop().active())
+    {
+        moment_[celli] += system_.hoop().couple(s, celli);
+    }
 }
 
 
@@ -105,6 +109,7 @@ Foam::viscosityTangent::viscosityTangent
     force_(system.faces().nFaces()),
     couple_(system.cosserat() ? system.faces().nFaces() : 0),
     moment_(system.cosserat() ? system.nCells() : 0),
+    hoop_(system.hoop().active() ? system.nCells() : 0),
     phi_(system.faces().nFaces()),
     fluxes_(system, laws)
 {}
@@ -119,6 +124,10 @@ void Foam::viscosityTangent::set(const operatorState& s, const bool near)
     forAll(moment_, celli)
     {
         setCell(s, celli);
+    }
+    forAll(hoop_, celli)
+    {
+        hoop_[celli] = system_.hoop().force(s, celli);
     }
     mesh.forTwoSided
     (
@@ -182,6 +191,13 @@ void Foam::viscosityTangent::add
     forAll(moment_, celli)
     {
         all.addCouple(r, celli, laws_.cell(celli)*moment_[celli]);
+    }
+    forAll(hoop_, celli)
+    {
+        all.addForce
+        (
+            r, celli, laws_.cell(celli)*hoop_[celli]*mesh.radial()
+        );
     }
     fluxes_.add(phi_, r);
 }
