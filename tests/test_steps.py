@@ -17,6 +17,7 @@ MESH = {
     "cavity": {"n": 16},
     "channelArrest": {"n": 24},
     "columnSlump": {"nx": 16, "ny": 8},
+    "conicalHopper": {"n": 8, "nAlong": 12},
     "dune": {"nx": 32, "ny": 16},
     "gravityChannel": {"n": 8},
     "hopper": {"nx": 12, "nSpout": 3, "nCone": 10, "nBin": 6},

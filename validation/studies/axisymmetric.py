@@ -14,7 +14,8 @@ FLOWS = [
     *((sphere, {"R": R, "free": free}) for R in (0.1, 0.3, 1.0)
       for free in (False, True)),
     (cone, {}),
-    (manufactured, {"wavy": False}), (manufactured, {"wavy": True}),
+    *((manufactured, options) for options in (
+        {}, {"wavy": True}, {"triangles": True})),
 ]
 
 
