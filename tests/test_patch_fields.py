@@ -48,7 +48,7 @@ def test_each_type_of_openfoam_is_in_one_of_two_sets(listed):
     value = {"fixedValue", "uniformFixedValue", "exprFixedValue",
              "codedFixedValue", "fixedProfile", "timeVaryingMappedFixedValue"}
     special = {"symmetry", "symmetryPlane", "cyclic", "processor",
-               "processorCyclic", "empty"}
+               "processorCyclic", "empty", "wedge"}
     assert taken["omega"] == value | special | {"zeroGradient",
                                                 "coupleTraction",
                                                 "rollingFriction"}

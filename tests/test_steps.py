@@ -17,10 +17,12 @@ MESH = {
     "cavity": {"n": 16},
     "channelArrest": {"n": 24},
     "columnSlump": {"nx": 16, "ny": 8},
+    "conicalHopper": {"n": 8, "nAlong": 12},
     "dune": {"nx": 32, "ny": 16},
     "gravityChannel": {"n": 8},
     "heap": {"nx": 16, "ny": 8},
     "hopper": {"nx": 12, "nSpout": 3, "nCone": 10, "nBin": 6},
+    "pipe": {"n": 12},
     "punch": {"n": 4, "nBeside": 16, "nDeep": 12},
     "rayleighTaylor": {"n": 16},
     "schemes": {"nx": 20, "ny": 20},
@@ -29,6 +31,7 @@ MESH = {
     "silo": mesh_entries(4),
     "siloArch": {"n": 4, "beside": 6},
     "sinkingInclusion": {"n": 16},
+    "sphereDrag": {"n": 8, "nQuarter": 8},
     "template": {"nx": 20, "ny": 20},
 }
 

@@ -10,7 +10,7 @@ SI units throughout; every function takes and returns numpy arrays.
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import ive, kve
+from scipy.special import iv, ive, kv, kve
 
 
 @dataclass(frozen=True)
@@ -556,6 +556,215 @@ class Manufactured:
             self._d(lambda a, b, i=i: M(a, b)*self._d(self.omega, i)(a, b),
                     i)(x, y) for i in (0, 1))
         return -bending + (self._stress(0, 1)(x, y) - self._stress(1, 0)(x, y))
+
+
+class PipeFlow:
+    """Flow along the axis of a pipe of radius a under a gradient G = -dp/dz
+    [Pa/m], u(a) = 0; omega(a) = 0, or its couple if free.
+
+    Microrotation about e_theta, positive with (curl u)/2 = -u'/2.
+    """
+
+    def __init__(self, material, a, G, free=False):
+        self.material, self.a, self.G = material, a, G
+        m = material
+        i0, i1 = iv(0, a/m.delta), iv(1, a/m.delta)
+        if free:
+            self.b = -G*m.delta/(4*m.eta*(i0 - i1*m.delta/a))
+        else:
+            self.b = -G*a/(4*m.eta*i1)
+
+    def u(self, r):
+        """Velocity along the axis [m/s]."""
+        m = self.material
+        return (self.G*(self.a**2 - r**2)/(4*m.eta) + m.factor*self.b
+                * (iv(0, self.a/m.delta) - iv(0, r/m.delta)))
+
+    def omega(self, r):
+        """Microrotation [1/s]."""
+        m = self.material
+        return self.G*r/(4*m.eta) + self.b*iv(1, r/m.delta)
+
+    def rate(self):
+        """Volume per time [m3/s]."""
+        m, a = self.material, self.a
+        return (np.pi*self.G*a**4/(8*m.eta) + 2*np.pi*m.factor*self.b
+                * (iv(0, a/m.delta)*a**2/2 - m.delta*a*iv(1, a/m.delta)))
+
+    def over_poiseuille(self):
+        """Rate over that of the classical fluid of the same eta."""
+        return self.rate()*8*self.material.eta/(np.pi*self.G*self.a**4)
+
+
+class LayeredPipe:
+    """The same with a core of another material up to the radius b, where u,
+    omega and M omega' are continuous; omega = 0 on the wall."""
+
+    def __init__(self, core, shell, b, a, G):
+        self.media, self.b, self.a, self.G = (core, shell), b, a, G
+        near, far = self._terms(core, b), self._terms(shell, b)
+        wall = self._terms(shell, a)
+        rows = [[near[0][0], -far[0][0], -far[0][1]],
+                [core.M*near[1][0], -shell.M*far[1][0], -shell.M*far[1][1]],
+                [0, *wall[0]]]
+        steps = [G*b/4*(1/shell.eta - 1/core.eta),
+                 G/4*(shell.M/shell.eta - core.M/core.eta),
+                 -G*a/(4*shell.eta)]
+        c, d, e = np.linalg.solve(rows, steps)
+        self.factors = (c, 0.0), (d, e)
+
+    @staticmethod
+    def _terms(m, r):
+        """I1 and K1 of r/delta, and their slopes."""
+        x = r/m.delta
+        return ((iv(1, x), kv(1, x)),
+                ((iv(0, x) - iv(1, x)/x)/m.delta,
+                 (-kv(0, x) - kv(1, x)/x)/m.delta))
+
+    def _in(self, layer, r):
+        m = self.media[layer]
+        grow, fall = self._terms(m, r)[0]
+        c, d = self.factors[layer]
+        return self.G*r/(4*m.eta) + c*grow + (d*fall if d else 0)
+
+    def _lost(self, layer, r):
+        """Minus the integral of u', up to a constant."""
+        m = self.media[layer]
+        c, d = self.factors[layer]
+        x = r/m.delta
+        return (self.G*r**2/(4*m.eta) + m.factor
+                * (c*iv(0, x) - (d*kv(0, x) if d else 0)))
+
+    def omega(self, r):
+        """Microrotation [1/s]."""
+        return np.where(r < self.b, self._in(0, r), self._in(1, r))
+
+    def u(self, r):
+        """Velocity along the axis [m/s]."""
+        inner = (self._lost(0, self.b) - self._lost(0, r)
+                 + self._lost(1, self.a) - self._lost(1, self.b))
+        return np.where(r < self.b, inner,
+                        self._lost(1, self.a) - self._lost(1, r))
+
+
+class SphereFlow:
+    """A sphere of radius a at rest in a stream U along x, which does not slip on
+    it; omega = 0 there, or the couple if free.
+
+    u_r = U cos(t) A, u_t = -U sin(t) (r^2 A)'/2r with
+    A = 1 + c/r^3 + b/r + d k1(kr)/r and omega = U sin(t) (b/2r^2 + e k1(kr)).
+    """
+
+    def __init__(self, material, a, U, free=False):
+        self.material, self.a, self.U = material, a, U
+        m, self.k = material, 1/material.delta
+        # omega = b/2r^2 + e k1: (curl u)/2 of the terms, and s of the last
+        self.by_e = -4*m.etaC/((m.eta + m.etaC)*self.k**2)
+        k1, slope = self._k1(a), self._slope(a)
+        if free:
+            # M omega,r - 0 omega/r, the couple stress across the surface
+            spin = [-1/a**3, slope]
+        else:
+            spin = [1/(2*a**2), k1]
+        # Unknown c, b, e: A(a) = 0, (r^2 A)' = 0 there, spin = 0
+        rows = np.array([
+            [1/a**3, 1/a, self.by_e*k1/a],
+            [-1/a**2, 1, self.by_e*(k1 + a*slope)],
+            [0, *spin]])
+        self.c, self.b, self.e = np.linalg.solve(rows, [-1, -2*a, 0])
+
+    def _k1(self, r):
+        x = self.k*r
+        return np.exp(-(x - self.k*self.a))*(1/x + 1/x**2)
+
+    def _slope(self, r):
+        x = self.k*r
+        return -self.k*np.exp(-(x - self.k*self.a))*(1/x + 2/x**2 + 2/x**3)
+
+    def fields(self, x, y):
+        """u_x, u_y [m/s], p [Pa] and omega [1/s] at x along the axis and y
+        from it."""
+        r = np.hypot(x, y)
+        cos, sin = x/r, y/r
+        k1 = self._k1(r)
+        A = 1 + self.c/r**3 + self.b/r + self.by_e*self.e*k1/r
+        # (r^2 A)'/2r
+        B = (1 - self.c/(2*r**3) + self.b/(2*r)
+             + self.by_e*self.e*(k1 + r*self._slope(r))/(2*r))
+        ur, ut = self.U*cos*A, -self.U*sin*B
+        p = self.material.eta*self.U*self.b*cos/r**2
+        omega = self.U*sin*(self.b/(2*r**2) + self.e*k1)
+        return ur*cos - ut*sin, ur*sin + ut*cos, p, omega
+
+    def drag(self):
+        """Force along the stream on the sphere [N]."""
+        return -4*np.pi*self.material.eta*self.U*self.b
+
+    def over_stokes(self):
+        """Drag over 6 pi eta a U."""
+        return self.drag()/(6*np.pi*self.material.eta*self.a*self.U)
+
+
+class ConeFlow:
+    """Sink flow of speed C/r^2 towards the tip, in a cone whose walls slip: no
+    rotation, no pressure gradient, for every Cosserat medium. The flow is that
+    of media whose viscosity follows it, too."""
+
+    def __init__(self, C=1.0):
+        self.C = C
+
+    def u(self, x, y):
+        """Velocity along the axis and away from it, shape (2, ...)."""
+        r3 = np.hypot(x, y)**3
+        return -self.C*np.array([x, y])/r3
+
+    def p(self, x, y, n):
+        """Pressure [Pa] of a power law, viscosity Gamma^(n - 1), but for a
+        constant: p' = tau' + 3 tau/r with tau = sigma_rr + p."""
+        C = self.C
+        tau = 4*C*(2*np.sqrt(3)*C)**(n - 1)*np.hypot(x, y)**(-3*n)
+        return -tau*(1 - n)/n
+
+
+class ManufacturedAxial(Manufactured):
+    """The same around the axis y = 0 of a cylinder 0 < x < 1, y < 1, which is
+    in the flow: with stream function y^2 (1 - y^2)^2 sin^2(pi x) the fluid
+    rests at all walls; omega is y (1 + sin(pi x)/2), p cos(pi x)(1 - y^2).
+    """
+
+    #: No multiple of it is the middle of a cell
+    STEP = 4.71e-3
+
+    def __init__(self, first, second):
+        super().__init__(lambda x, y: x, lambda x, y: y, first, second)
+
+    def u(self, x, y):
+        """Velocity along the axis and away from it [m/s], shape (2, ...)."""
+        rest = 1 - y**2
+        return np.array([
+            2*rest*(1 - 3*y**2)*np.sin(np.pi*x)**2,
+            -np.pi*y*rest**2*np.sin(2*np.pi*x)])
+
+    def omega(self, x, y):
+        """Microrotation [1/s]."""
+        return y*(1 + 0.5*np.sin(np.pi*x))
+
+    def p(self, x, y):
+        """Pressure [Pa]."""
+        return np.cos(np.pi*x)*(1 - y**2)
+
+    def force(self, x, y):
+        """Body force [N/m3] that the linear balance needs, shape (2, ...)."""
+        hoop = 2*self._mix("eta")(x, y)*self.u(x, y)[1]/y - self.p(x, y)
+        across = [self._stress(i, 1)(x, y) for i in (0, 1)]
+        return super().force(x, y) - np.array(
+            [across[0]/y, (across[1] - hoop)/y])
+
+    def couple(self, x, y):
+        """Body couple [Pa] that the angular balance needs."""
+        M = self._mix("M")(x, y)
+        slope = self._d(self.omega, 1)(x, y)
+        return super().couple(x, y) - M*(slope - self.omega(x, y)/y)/y
 
 
 def wall_velocity_no_rotation(material, h, sigma):

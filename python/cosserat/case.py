@@ -32,6 +32,10 @@ FILES = {
 }
 
 
+#: Types of the patches in front of a mesh and behind it
+SIDES = ("empty", "wedge")
+
+
 class RunError(RuntimeError):
     """A program of the case failed or took too long; the message ends with
     its log."""
@@ -221,14 +225,24 @@ class Case:
     def plane(self):
         """Axes of the plane of the mesh, that of pictures across first."""
         if self._plane is None:
-            extent = np.ptp(next(
-                corners for kind, faces in self.patch_faces().values()
-                if kind == "empty" for corners in faces), axis=0)
-            self._plane = [i for i in range(3) if i != np.argmin(extent)]
+            corners = next(
+                corners[0] for kind, corners in self.patch_faces().values()
+                if kind in SIDES and corners)
+            ways = corners[1:] - corners[0]
+            normal = np.cross(ways[:-1], ways[1:]).sum(axis=0)
+            across = np.argmax(np.abs(normal))
+            self._plane = [i for i in range(3) if i != across]
         return self._plane
 
+    def wedge(self):
+        """Is the mesh a wedge around an axis."""
+        return any(kind == "wedge" for kind, _ in self.patches().values())
+
     def centres(self):
-        """Cell centres, shape (nCells, 3)."""
+        """Cell centres, shape (nCells, 3); of wedges those in the mid-plane,
+        which the solver takes."""
+        if self.wedge():
+            return np.array([_middle(p, self.plane()) for p in self.polygons()])
         if find(self.path/"0/C") is None:
             self.run("postProcess", "-func", "writeCellCentres", "-time", "0",
                      log=None)
@@ -273,7 +287,7 @@ class Case:
         owner = file.list(file.start, "label")[0]
         cells = [None]*self.n_cells()
         for kind, which in self.patches().values():
-            if kind == "empty":
+            if kind in SIDES:
                 for i in which:
                     cells[owner[i]] = points[faces[i]]
         return cells
@@ -284,7 +298,7 @@ class Case:
         edges = []
         plane = self.plane()
         for kind, faces in self.patch_faces().values():
-            if kind in ("empty", "cyclic", "processor"):
+            if kind in (*SIDES, "cyclic", "processor"):
                 continue
             for corners in faces:
                 a = corners[0]
@@ -315,6 +329,16 @@ class Case:
             for row in np.loadtxt(part/file, ndmin=2):
                 rows[row[0]] = row
         return np.array([rows[t] for t in sorted(rows)])
+
+
+def _middle(corners, plane):
+    """Centroid of a polygon in a plane; zero across it."""
+    first, others = corners[0, plane], corners[1:, plane] - corners[0, plane]
+    areas = np.cross(others[:-1], others[1:])
+    middle = np.zeros(3)
+    middle[plane] = first + (areas[:, None]*(others[:-1] + others[1:])/3).sum(
+        axis=0)/areas.sum()
+    return middle
 
 
 def parse_list(text, n_uniform):

@@ -15,7 +15,8 @@ NAMES = ["convergence", "significance", "internalLength", "longShear",
          "rigidShear", "pointDistribution", "pointCoupling", "rayleighTaylor",
          "siloVolume", "pointCost", "freeSurface", "parallel", "speedAccuracy",
          "soak", "mutations", "kills", "errorIndicator", "finiteElements",
-         "cornerRelatives", "jumps", "peers", "refinement", "yield"]
+         "cornerRelatives", "jumps", "peers", "refinement", "yield",
+         "axisymmetric"]
 
 HERE = Path(__file__).resolve().parents[1]
 RESULTS = HERE/"results"

@@ -26,10 +26,10 @@ Group
     grpMultiphaseSolvers
 
 Description
-    Planar creeping flow of granular (Cosserat, micropolar) media, with the
-    materials carried by points through any deformation, after Dufour,
-    Muehlhaus and Moresi (2001), "A particle-in-cell formulation for large
-    deformation in Cosserat continua".
+    Creeping flow of granular (Cosserat, micropolar) media in a plane, or around
+    an axis on a wedge (axialSymmetry.H), with the materials carried by points
+    through any deformation, after Dufour, Muehlhaus and Moresi (2001), "A
+    particle-in-cell formulation for large deformation in Cosserat continua".
 
     Each step: move the points (with the flow at mid-step solved first, if the
     points are coupled so), average them onto the mesh, solve for velocity,
@@ -71,6 +71,7 @@ SourceFiles
 
 #include "fvCFD.H"
 #include "checkedEntry.H"
+#include "axialCentres.H"
 #include "centreGeometry.H"
 #include "checkedText.H"
 #include "continuedTime.H"
@@ -90,7 +91,8 @@ int main(int argc, char *argv[])
 {
     argList::addNote
     (
-        "Planar creeping flow of Cosserat media with material points"
+        "Creeping flow of Cosserat media, planar or around an axis, with"
+        " material points"
     );
 
     #include "manual.H"
@@ -118,6 +120,7 @@ int main(int argc, char *argv[])
     progress done(runTime);
     const scalar typicalVolume = planarCells::typicalVolume(mesh);
     const scalar typicalSize = planarCells::typicalSize(mesh);
+    const axialSymmetry axial(mesh);
     flow.solve();
     if (points.valid())
     {

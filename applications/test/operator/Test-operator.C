@@ -42,6 +42,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "axialCentres.H"
 #include "checkedEntry.H"
 #include "cosseratSystem.H"
 #include "gravityMeshObject.H"
@@ -124,6 +125,7 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     #include "createMesh.H"
 
+    axialCentres(mesh);
     materialFields materials(mesh);
     #include "createGravity.H"
     materials.correct();

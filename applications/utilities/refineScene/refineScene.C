@@ -89,6 +89,7 @@ SourceFiles
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "axialSymmetry.H"
 #include "cellSelection.H"
 #include "checkedEntry.H"
 #include "cloud.H"
@@ -193,6 +194,14 @@ int main(int argc, char *argv[])
             IOobject::MUST_READ
         )
     );
+
+    if (axialSymmetry(mesh).active())
+    {
+        FatalErrorInFunction
+            << "The mesh is a wedge" << nl
+            << "    Allowed: planar meshes, with patches of type empty"
+            << exit(FatalError);
+    }
 
     const IOdictionary dict
     (

@@ -26,6 +26,7 @@ License
 #include "processorPolyPatch.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
+#include "wedgeFvPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -115,7 +116,7 @@ Foam::haloExchange::haloExchange
         const fvPatch& patch = mesh.boundary()[patchi];
 
         start_[patchi] = size_;
-        size_ += patch.size();
+        size_ += isA<wedgeFvPatch>(patch) ? 0 : patch.size();
 
         if (patch.coupled())
         {

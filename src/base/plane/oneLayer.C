@@ -24,6 +24,7 @@ License
 #include "oneLayer.H"
 #include "emptyPolyPatch.H"
 #include "polyMesh.H"
+#include "wedgePolyPatch.H"
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
@@ -52,8 +53,9 @@ namespace Foam
             << "The mesh is not one layer of cells: cell " << celli << " at "
             << mesh.cellCentres()[celli] << ' ' << found.c_str() << nl
             << "    Allowed: cells of positive volume with one face in front"
-            << " and one behind in patches of type empty, straight over each"
-            << " other; checkMesh says more" << exit(FatalError);
+            << " and one behind in patches of type empty, or of type wedge,"
+            << " straight over each other; checkMesh says more"
+            << exit(FatalError);
     }
 
     //- Stop unless a cell has a volume and a closed surface
@@ -141,7 +143,7 @@ void Foam::oneLayer::check(const polyMesh& mesh, const direction normal)
 
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(pp))
+        if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
         {
             forAll(pp, i)
             {
@@ -160,7 +162,7 @@ void Foam::oneLayer::check(const polyMesh& mesh, const direction normal)
             refuse
             (
                 mesh, celli,
-                "has " + name(nEmpty[celli]) + " faces of type empty"
+                "has " + name(nEmpty[celli]) + " faces of type empty or wedge"
             );
         }
         checkBody(mesh, celli);
@@ -176,7 +178,7 @@ void Foam::oneLayer::check(const polyMesh& mesh, const direction normal)
             refuse
             (
                 mesh, mesh.faceOwner()[facei],
-                "has a face beside those of type empty that is not upright"
+                "has a face beside those in front and back that is not upright"
             );
         }
     }

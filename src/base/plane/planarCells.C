@@ -25,6 +25,7 @@ License
 #include "emptyPolyPatch.H"
 #include "meshTools.H"
 #include "volFields.H"
+#include "wedgePolyPatch.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -32,11 +33,12 @@ License
 Foam::planarCells::planarCells(const fvMesh& mesh)
 :
     mesh_(mesh),
+    axial_(mesh),
     face_(mesh.nCells(), -1)
 {
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(pp))
+        if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
         {
             forAll(pp, i)
             {
@@ -54,7 +56,14 @@ Foam::pointField Foam::planarCells::corners(const label celli) const
     pointField corners(mesh_.faces()[face_[celli]].points(mesh_.points()));
     for (point& corner : corners)
     {
-        meshTools::constrainToMeshCentre(mesh_, corner);
+        if (axial_.active())
+        {
+            corner = axial_.inMidPlane(corner);
+        }
+        else
+        {
+            meshTools::constrainToMeshCentre(mesh_, corner);
+        }
     }
     return corners;
 }
@@ -79,6 +88,17 @@ Foam::scalar Foam::planarCells::typicalVolume(const fvMesh& mesh)
 
 Foam::scalar Foam::planarCells::typicalSize(const fvMesh& mesh)
 {
+    const axialSymmetry axial(mesh);
+    if (axial.active())
+    {
+        scalarField area(mesh.nCells());
+        forAll(area, celli)
+        {
+            area[celli] = axial.area(mesh.V()[celli], mesh.C()[celli]);
+        }
+        return Foam::sqrt(gSum(sqr(area))/gSum(area));
+    }
+
     const labelPair across(axes(mesh));
     const scalar depth =
         mesh.bounds().span()[3 - across.first() - across.second()];

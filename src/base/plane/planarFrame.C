@@ -32,25 +32,25 @@ Foam::planarFrame::planarFrame(const polyMesh& mesh)
     normal_(0)
 {
     const Vector<label>& dirs = mesh.geometricD();
-    label nEmpty = 0;
+    label nAcross = 0;
 
     for (direction d = 0; d < 3; ++d)
     {
         if (dirs[d] < 0)
         {
             normal_ = d;
-            ++nEmpty;
+            ++nAcross;
         }
     }
 
-    if (nEmpty != 1 || mesh.nSolutionD() != 2)
+    if (nAcross != 1)
     {
         FatalErrorInFunction
-            << "The mesh is not planar: it has " << 3 - nEmpty
+            << "The mesh is not planar: it has " << 3 - nAcross
             << " directions in which it is solved, patch types "
             << mesh.boundaryMesh().types() << nl
             << "    Allowed: two, that is one cell across, with patches of"
-            << " type empty in front and back (and no wedge)"
+            << " type empty in front and back, or of type wedge"
             << exit(FatalError);
     }
 

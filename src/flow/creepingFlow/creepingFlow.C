@@ -659,6 +659,7 @@ void Foam::creepingFlow::solveOnce()
 {
     if (system_.followsFlow())
     {
+        refuseInWedge();
         // Updates the system as it goes
         system_.updateWalls();
         system_.update();

@@ -63,6 +63,29 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::creepingFlow::refuseInWedge() const
+{
+    if
+    (
+        system_.faces().axial().active()
+     && materials_.parts().has(sceneParts::COMPRESSIBILITY)
+    )
+    {
+        const fileName file
+        (
+            mesh_.time().path()/mesh_.time().constant()/"materialProperties"
+        );
+        FatalIOErrorInFunction(dictionary(file))
+            << "A viscosity follows the flow, on a wedge, and a bulk viscosity"
+            << " is finite: the rates that it would see are deviators of the"
+            << " plane" << nl
+            << "    Allowed: B infinite, laws of constant viscosities"
+            << " (constant, granularContact), or a planar mesh"
+            << exit(FatalIOError);
+    }
+}
+
+
 void Foam::creepingFlow::refuseNotFinite() const
 {
     FatalErrorInFunction

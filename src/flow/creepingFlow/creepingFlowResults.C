@@ -166,6 +166,17 @@ Foam::tmp<Foam::volScalarField> Foam::creepingFlow::gradientDissipation() const
         )
     );
 
+    const faceGeometry& mesh = system_.faces();
+    if (mesh.axial().active())
+    {
+        scalarField& power = tdissipation.ref().primitiveFieldRef();
+        forAll(power, celli)
+        {
+            power[celli] += materials_.M()[celli]
+               *sqr(omega_[celli]/mesh.radius(celli));
+        }
+    }
+
     if (materials_.parts().has(sceneParts::COMPRESSIBILITY))
     {
         // (B - eta) tr(D)^2, with B tr(D) = -p

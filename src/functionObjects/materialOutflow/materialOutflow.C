@@ -105,8 +105,9 @@ void Foam::functionObjects::materialOutflow::writeRow()
             << token::TAB << inPoints << token::TAB << inCells << endl;
     }
 
-    Log << type() << ' ' << name() << ": " << out << " m2 of "
-        << material_ << " beyond the plane, " << flux << " m2/s" << endl;
+    const char* unit = axial_.active() ? " m3" : " m2";
+    Log << type() << ' ' << name() << ": " << out << unit << " of "
+        << material_ << " beyond the plane, " << flux << unit << "/s" << endl;
 }
 
 
@@ -121,7 +122,13 @@ Foam::functionObjects::materialOutflow::materialOutflow
 :
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(obr_, name, typeName, dict),
-    depth_(mesh_.bounds().span()[planarFrame(mesh_).normalAxis()]),
+    axial_(mesh_),
+    depth_
+    (
+        axial_.active()
+      ? 1/axial_.toCircle()
+      : mesh_.bounds().span()[planarFrame(mesh_).normalAxis()]
+    ),
     lastVolume_(0),
     lastTime_(GREAT)
 {
@@ -132,13 +139,15 @@ Foam::functionObjects::materialOutflow::materialOutflow
         writeHeader
         (
             file(),
-            "Volume of " + material_ + " a thickness of the mesh"
+            "Volume of " + material_
+          + (axial_.active() ? " around the axis" : " a thickness of the mesh")
         );
+        const string unit(axial_.active() ? "[m3" : "[m2");
         writeCommented(file(), "Time [s]");
-        writeTabbed(file(), "beyond the plane [m2]");
-        writeTabbed(file(), "flux through the plane [m2/s]");
-        writeTabbed(file(), "all points [m2]");
-        writeTabbed(file(), "on the mesh [m2]");
+        writeTabbed(file(), "beyond the plane " + unit + ']');
+        writeTabbed(file(), "flux through the plane " + unit + "/s]");
+        writeTabbed(file(), "all points " + unit + ']');
+        writeTabbed(file(), "on the mesh " + unit + ']');
         file() << endl;
     }
 

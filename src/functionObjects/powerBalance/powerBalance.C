@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "powerBalance.H"
+#include "axialSymmetry.H"
 #include "creepingFlow.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -84,8 +85,10 @@ bool Foam::functionObjects::powerBalance::execute()
     const creepingFlow& flow = creepingFlow::find(mesh_);
 
     const powerTerms power(flow.power());
+    const axialSymmetry axial(mesh_);
     const scalar dissipation =
-        gSum(flow.gradientDissipation()().primitiveField()*mesh_.V());
+        (axial.active() ? axial.toCircle() : 1)
+       *gSum(flow.gradientDissipation()().primitiveField()*mesh_.V());
 
     if (Pstream::master())
     {

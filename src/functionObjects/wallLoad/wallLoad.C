@@ -70,7 +70,11 @@ Foam::labelList Foam::functionObjects::wallLoad::physical() const
     DynamicList<label> patches;
     for (const fvPatch& patch : mesh_.boundary())
     {
-        if (!patch.coupled() && patch.type() != "empty")
+        if
+        (
+            !patch.coupled() && patch.type() != "empty"
+         && patch.type() != "wedge"
+        )
         {
             patches.append(patch.index());
         }
@@ -305,6 +309,22 @@ void Foam::functionObjects::wallLoad::addCorners
 }
 
 
+void Foam::functionObjects::wallLoad::toCircle(scalarField& sums) const
+{
+    sums *= axial_.toCircle();
+
+    for (label i = 0; i < nRows(); ++i)
+    {
+        scalar* sum = &sums[nOfPatch*i];
+        for (label j = 0; j < 9; ++j)
+        {
+            sum[j] = j % 3 == axial_.axis() ? sum[j] : 0;
+        }
+        sum[9] = 0;
+    }
+}
+
+
 void Foam::functionObjects::wallLoad::writeRows(const scalarField& sums)
 {
     if (!Pstream::master())
@@ -362,6 +382,7 @@ Foam::functionObjects::wallLoad::wallLoad
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(obr_, name),
     e_(planarFrame(mesh_).e()),
+    axial_(mesh_),
     corners_(false),
     nBin_(0),
     start_(0),
@@ -426,6 +447,10 @@ bool Foam::functionObjects::wallLoad::execute()
     }
 
     reduce(sums, sumOp<scalarField>());
+    if (axial_.active())
+    {
+        toCircle(sums);
+    }
     writeRows(sums);
 
     return true;

@@ -290,6 +290,7 @@ Foam::labelList Foam::flowBoundary::withFaces(const fvMesh& mesh)
         if
         (
             !patch.coupled() && patch.type() != "empty"
+         && patch.type() != "wedge"
          && returnReduce(patch.size(), sumOp<label>())
         )
         {

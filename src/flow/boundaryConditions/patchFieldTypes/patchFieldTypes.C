@@ -61,6 +61,7 @@ static const Foam::List<types::row> written
     {"any", "processor", types::COUPLED, "on mesh patches of this type"},
     {"any", "processorCyclic", types::COUPLED, "on mesh patches of this type"},
     {"any", "empty", types::EMPTY, "on mesh patches of this type"},
+    {"any", "wedge", types::EMPTY, "on mesh patches of this type"},
     {"any", "fixedMean", types::REFUSED, "its value follows the flow"},
     {"any", "freestream", types::REFUSED, mixed},
     {"any", "inletOutlet", types::REFUSED, mixed},

@@ -64,6 +64,30 @@ void Foam::flowLoads::setGravity(const vector& periodic)
 }
 
 
+void Foam::flowLoads::checkAxial() const
+{
+    const vector g(gravity());
+    vector across(g);
+    across[mesh_.axial().axis()] = 0;
+
+    if (mag(across) > 0)
+    {
+        const fileName file
+        (
+            mesh_.mesh().time().lookupObject<uniformDimensionedVectorField>
+            (
+                "g"
+            ).objectPath()
+        );
+        FatalIOErrorInFunction(dictionary(file))
+            << "Entry 'value' is " << g << ", on a wedge with its axis along "
+            << "xyz"[mesh_.axial().axis()] << nl
+            << "    Allowed: gravity along the axis; no other is the same at"
+            << " every angle" << exit(FatalIOError);
+    }
+}
+
+
 void Foam::flowLoads::addBodyForce()
 {
     Field<vector2D> b(mesh_.nSlots(), Zero);
@@ -122,6 +146,10 @@ void Foam::flowLoads::update(const scalarField& M)
       ? carriedDensity(materials_, gravity()).density()
       : tmp<scalarField>(new scalarField(materials_.rho().primitiveField()));
 
+    if (mesh_.axial().active())
+    {
+        checkAxial();
+    }
     const vector periodic(periodicGravity());
     gradientGravity_ = gravity() - periodic;
     setHeights(periodic);

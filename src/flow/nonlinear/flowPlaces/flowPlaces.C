@@ -23,6 +23,21 @@ License
 
 #include "flowPlaces.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::flowPlaces::setHoop
+(
+    placeRates& at,
+    const operatorState& s,
+    const vector2D& u,
+    const scalar r
+) const
+{
+    at.hoop = (u & system_.faces().radial())/r;
+    at.around = s.gradOmega.size() ? at.omega/r : 0;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::flowPlaces::flowPlaces(const cosseratSystem& system)
@@ -45,14 +60,19 @@ Foam::placeRates Foam::flowPlaces::cell
     const label celli
 ) const
 {
-    return
+    placeRates at
     {
         s.G[celli],
         s.gradOmega.size() ? s.gradOmega[celli] : vector2D(Zero),
         system_.cosserat() && !system_.rotationUndetermined(celli)
       ? s.omega[celli] : 0.5*s.curl(celli),
-        s.p[celli]
+        s.p[celli], 0, 0
     };
+    if (system_.faces().axial().active())
+    {
+        setHoop(at, s, s.u[celli], system_.faces().radius(celli));
+    }
+    return at;
 }
 
 
@@ -66,7 +86,7 @@ Foam::placeRates Foam::flowPlaces::face
     const label P = face.own, N = face.nei;
     const vector2D& n = face.n;
 
-    placeRates at{mean(s.G, f), Zero, 0, mean(s.p, f)};
+    placeRates at{mean(s.G, f), Zero, 0, mean(s.p, f), 0, 0};
     vector2D slope(face.dc*(s.u[N] - s.u[P]));
     if (system_.faces().nonOrthogonal())
     {
@@ -86,6 +106,16 @@ Foam::placeRates Foam::flowPlaces::face
         }
         at.gradOmega += (bend - (n & at.gradOmega))*n;
     }
+    if (system_.faces().axial().active())
+    {
+        const faceGeometry& mesh = system_.faces();
+        const scalar w = oneSided_[f] ? 0.5 : face.w;
+        setHoop
+        (
+            at, s, w*s.u[P] + (1 - w)*s.u[N],
+            w*mesh.radius(P) + (1 - w)*mesh.radius(N)
+        );
+    }
     return at;
 }
 
@@ -101,7 +131,7 @@ Foam::placeForm Foam::flowPlaces::form
 {
     // Of Gamma^2 = 2 D:D + 4 q s^2 + b |grad omega|^2, D without its trace
     tensor2D D(0.5*(at.G + at.G.T()));
-    const scalar mean = 0.5*(D.xx() + D.yy());
+    const scalar mean = 0.5*(D.xx() + D.yy() + at.hoop);
     D.xx() -= mean;
     D.yy() -= mean;
 
@@ -110,8 +140,13 @@ Foam::placeForm Foam::flowPlaces::form
         4*byRate*D,
         2*b*byRate*at.gradOmega,
         8*q*byRate*at.relativeRotation(),
-        byPressure
+        byPressure,
+        6*byRate*at.hoop,
+        2*b*byRate*at.around
     };
+    // By the mean that is taken away
+    form.byG.xx() += 2*byRate*at.hoop;
+    form.byG.yy() += 2*byRate*at.hoop;
     form.byG.xy() -= 0.5*form.byOmega;
     form.byG.yx() += 0.5*form.byOmega;
 

@@ -101,6 +101,12 @@ void Foam::lawsInFlow::see
         gradOmega[i] = frame.inSpace(at.gradOmega);
         omega[i] = at.omega;
         p[i] = at.p;
+        if (system_.faces().axial().active())
+        {
+            const vector e(frame.e());
+            gradU[i] += at.hoop*(e*e);
+            gradOmega[i] += at.around*e;
+        }
     }
     use
     (

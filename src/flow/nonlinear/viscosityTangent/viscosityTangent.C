@@ -90,6 +90,10 @@ void Foam::viscosityTangent::setCell
       ? 0
       : -4*system_.faces().V()[celli]*system_.coefficients().etaC(celli)
        *s.relativeRotation(celli);
+    if (system_.hoop().active())
+    {
+        moment_[celli] += system_.hoop().couple(s, celli);
+    }
 }
 
 
@@ -129,6 +133,7 @@ Foam::viscosityTangent::viscosityTangent
     force_(system.faces().nFaces()),
     couple_(system.cosserat() ? system.faces().nFaces() : 0),
     moment_(system.cosserat() ? system.nCells() : 0),
+    hoop_(system.hoop().active() ? system.nCells() : 0),
     phi_(system.faces().nFaces()),
     fluxes_(system, laws)
 {}
@@ -143,6 +148,10 @@ void Foam::viscosityTangent::set(const operatorState& s, const bool near)
     forAll(moment_, celli)
     {
         setCell(s, celli);
+    }
+    forAll(hoop_, celli)
+    {
+        hoop_[celli] = system_.hoop().force(s, celli);
     }
     mesh.forTwoSided
     (
@@ -206,6 +215,13 @@ void Foam::viscosityTangent::add
     forAll(moment_, celli)
     {
         all.addCouple(r, celli, laws_.cell(celli)*moment_[celli]);
+    }
+    forAll(hoop_, celli)
+    {
+        all.addForce
+        (
+            r, celli, laws_.cell(celli)*hoop_[celli]*mesh.radial()
+        );
     }
     fluxes_.add(phi_, r);
 }

@@ -134,7 +134,7 @@ void Foam::cellGradient::addWallSpeed
     );
 
     s.u[face.nei] += change;
-    s.G[face.own] += face.S/mesh_.V()[face.own]*(face.n*change);
+    s.G[face.own] += mesh_.edge(f)/mesh_.area(face.own)*(face.n*change);
 }
 
 
@@ -157,7 +157,7 @@ void Foam::cellGradient::calcRotation(operatorState& s) const
             if (K_.rotation(f).Km > 0)
             {
                 const planarFace& face = mesh_[f];
-                const vector2D S(face.S*face.n);
+                const vector2D S(mesh_.edge(f)*face.n);
                 const scalar omega =
                     face.w*s.omega[face.own]
                   + (1 - face.w)*s.omega[face.nei];
@@ -169,7 +169,11 @@ void Foam::cellGradient::calcRotation(operatorState& s) const
     for (const label f : mesh_.oneSided())
     {
         const planarFace& face = mesh_[f];
-        add(face.own, face.S*face.n, s.omega[face.nei]);
+        add(face.own, mesh_.edge(f)*face.n, s.omega[face.nei]);
+    }
+    for (const axisEdge& axis : mesh_.axisEdges())
+    {
+        add(axis.celli, axis.S, 0);
     }
 
     for (label celli = 0; celli < mesh_.nCells(); ++celli)
@@ -327,12 +331,17 @@ void Foam::cellGradient::addFaceAdjoint
             const planarFace& face = mesh_[f];
             const vector2D b
             (
-                face.S*(face.n & (B[face.own] - B[face.nei]))
+                mesh_.edge(f)*(face.n & (B[face.own] - B[face.nei]))
             );
             all.addForce(r, face.own, face.w*b);
             all.addForce(r, face.nei, (1 - face.w)*b);
         }
     );
+
+    for (const axisEdge& axis : mesh_.axisEdges())
+    {
+        all.addForce(r, axis.celli, onAxis(axis.S & B[axis.celli]));
+    }
 
     // Weights of jumps instead of linear ones
     for (const jumpFace& jump : K_.jumps())
@@ -345,7 +354,8 @@ void Foam::cellGradient::addFaceAdjoint
             const jumpSide& side = jump.sides[k];
             const vector2D b
             (
-                (k ? -face.S : face.S)*(face.n & B[k ? face.nei : face.own])
+                (k ? -mesh_.edge(jump.f) : mesh_.edge(jump.f))
+               *(face.n & B[k ? face.nei : face.own])
             );
             c += (face.w - side.wn)*(b & face.n)*face.n
                + (face.w - side.wt)*(b & t)*t;
@@ -427,7 +437,7 @@ void Foam::cellGradient::gauss(operatorState& s) const
             const planarFace& face = mesh_[f];
             const tensor2D flux
             (
-                face.S
+                mesh_.edge(f)
                *(
                     face.n
                    *(face.w*s.u[face.own] + (1 - face.w)*s.u[face.nei])
@@ -442,7 +452,11 @@ void Foam::cellGradient::gauss(operatorState& s) const
     for (const label f : mesh_.oneSided())
     {
         const planarFace& face = mesh_[f];
-        s.G[face.own] += face.S*(face.n*s.u[face.nei]);
+        s.G[face.own] += mesh_.edge(f)*(face.n*s.u[face.nei]);
+    }
+    for (const axisEdge& axis : mesh_.axisEdges())
+    {
+        s.G[axis.celli] += axis.S*onAxis(s.u[axis.celli]);
     }
 
     for (label celli = 0; celli < mesh_.nCells(); ++celli)

@@ -34,6 +34,7 @@ void Foam::cosseratSystem::setViscosities
 )
 {
     K_.set(eta, etaC, M, materials_.invB().primitiveField(), cuts);
+    hoop_.update();
     setRAU();
 }
 
@@ -265,6 +266,8 @@ void Foam::cosseratSystem::addCells
         }
     }
 
+    hoop_.add(s, all_, r);
+
     if (driven && cosserat() && loads_.couple())
     {
         // Zero where there is no equation for omega
@@ -338,6 +341,7 @@ Foam::cosseratSystem::cosseratSystem
         mesh_, boundary, all_.cosserat(),
         materials.parts().has(sceneParts::COMPRESSIBILITY)
     ),
+    hoop_(mesh_, K_),
     stabilisation_(mesh, frame, halo),
     loads_(mesh_, boundary, materials),
     gradient_(mesh_, boundary, K_),
@@ -345,7 +349,7 @@ Foam::cosseratSystem::cosseratSystem
     pressure_(mesh_, boundary, K_, gradient_, loads_, stabilisation_),
     parts_
     (
-        mesh_, boundary, K_, gradient_, pressure_, stabilisation_, all_
+        mesh_, boundary, K_, hoop_, gradient_, pressure_, stabilisation_, all_
     ),
     corners_(mesh, frame, halo, boundary, wantCorners),
     pressureFloats_(false),

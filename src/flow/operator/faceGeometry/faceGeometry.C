@@ -25,6 +25,7 @@ License
 #include "surfaceFields.H"
 #include "unitConversion.H"
 #include "volFields.H"
+#include "wedgeFvPatch.H"
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
@@ -85,6 +86,10 @@ void Foam::faceGeometry::setBoundary()
     forAll(mesh_.boundary(), patchi)
     {
         const fvPatch& patch = mesh_.boundary()[patchi];
+        if (isA<wedgeFvPatch>(patch))
+        {
+            continue;
+        }
         const label start = faceOf(halo_.start(patchi));
         const vectorField& Sf = mesh_.Sf().boundaryField()[patchi];
         const scalarField& dc =
@@ -116,6 +121,81 @@ void Foam::faceGeometry::setBoundary()
         }
     }
     oneSided_.transfer(oneSided);
+}
+
+
+void Foam::faceGeometry::setRadii()
+{
+    radius_.setSize(nSlots());
+    area_.setSize(nCells_);
+    edge_.setSize(faces_.size());
+    radial_ = vector2D
+    (
+        axial_.radial() == frame_.i0(), axial_.radial() == frame_.i1()
+    );
+
+    const vectorField& C = mesh_.C().primitiveField();
+    forAll(area_, celli)
+    {
+        radius_[celli] = axial_.radius(C[celli]);
+        area_[celli] = axial_.area(V_[celli], C[celli]);
+    }
+    halo_.swap(radius_);
+
+    auto setEdge = [&](const label f, const point& Cf)
+    {
+        edge_[f] = faces_[f].S/(axial_.angle()*axial_.radius(Cf));
+    };
+    for (label f = 0; f < nInternal_; ++f)
+    {
+        setEdge(f, mesh_.Cf()[f]);
+    }
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        if (isA<wedgeFvPatch>(patch))
+        {
+            continue;
+        }
+        const label start = halo_.start(patch.index());
+        forAll(patch, i)
+        {
+            setEdge(faceOf(start + i), patch.Cf()[i]);
+            if (!patch.coupled())
+            {
+                radius_[start + i] = axial_.radius(patch.Cf()[i]);
+            }
+        }
+    }
+    setAxisEdges();
+}
+
+
+void Foam::faceGeometry::setAxisEdges()
+{
+    // What is missing to close the polygons
+    Field<vector2D> missing(nCells_, Zero);
+    scalarField around(nCells_, Zero);
+    forAll(faces_, f)
+    {
+        const label P = faces_[f].own, N = faces_[f].nei;
+        missing[P] -= edge_[f]*faces_[f].n;
+        around[P] += edge_[f];
+        if (N < nCells_)
+        {
+            missing[N] += edge_[f]*faces_[f].n;
+            around[N] += edge_[f];
+        }
+    }
+
+    DynamicList<axisEdge> edges;
+    forAll(missing, celli)
+    {
+        if (mag(missing[celli]) > 1e-6*around[celli])
+        {
+            edges.append({celli, missing[celli], radius_[celli]});
+        }
+    }
+    axisEdges_.transfer(edges);
 }
 
 
@@ -197,30 +277,36 @@ void Foam::faceGeometry::setExactness()
     exact_.setSize(nCells_);
     exact_ = Zero;
 
-    auto add = [&](const label celli, const planarFace& face, const scalar way)
+    auto add = [&](const label celli, const label f, const scalar way)
     {
-        exact_[celli] += (way*face.S/face.dc*face.n)*face.m;
+        const planarFace& face = faces_[f];
+        exact_[celli] += (way*edge(f)/face.dc*face.n)*face.m;
     };
     forTwoSided
     (
         [&](const label f)
         {
             const planarFace& face = faces_[f];
-            add(face.own, face, 1 - face.w);
+            add(face.own, f, 1 - face.w);
             if (face.nei < nCells_)
             {
-                add(face.nei, face, face.w);
+                add(face.nei, f, face.w);
             }
         }
     );
     for (const label f : oneSided_)
     {
-        add(faces_[f].own, faces_[f], 1);
+        add(faces_[f].own, f, 1);
+    }
+    for (const axisEdge& axis : axisEdges_)
+    {
+        // Along it values are those of the cell
+        exact_[axis.celli] += axis.S*(-axis.way*radial_);
     }
 
     forAll(exact_, celli)
     {
-        exact_[celli] = V()[celli]*planarFrame::inverse(exact_[celli]);
+        exact_[celli] = area(celli)*planarFrame::inverse(exact_[celli]);
     }
 }
 
@@ -237,6 +323,7 @@ Foam::faceGeometry::faceGeometry
     mesh_(mesh),
     frame_(frame),
     halo_(halo),
+    axial_(mesh),
     nCells_(mesh.nCells()),
     nInternal_(mesh.nInternalFaces()),
     V_(mesh.V()),
@@ -245,10 +332,15 @@ Foam::faceGeometry::faceGeometry
     nonOrthogonal_(false),
     skewed_(false),
     adjoint_(nCells_, false),
-    anyAdjoint_(false)
+    anyAdjoint_(false),
+    radial_(Zero)
 {
     setInternal();
     setBoundary();
+    if (axial_.active())
+    {
+        setRadii();
+    }
     classify();
 
     if (skewed_)

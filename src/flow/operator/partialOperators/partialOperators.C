@@ -30,6 +30,7 @@ Foam::partialOperators::partialOperators
     const faceGeometry& mesh,
     const flowBoundary& boundary,
     const viscousCoefficients& K,
+    const hoopForce& hoop,
     const cellGradient& gradient,
     const pressureForce& pressure,
     const surfaceStabilisation& stabilisation,
@@ -39,6 +40,7 @@ Foam::partialOperators::partialOperators
     mesh_(mesh),
     boundary_(boundary),
     K_(K),
+    hoop_(hoop),
     gradient_(gradient),
     pressure_(pressure),
     stabilisation_(stabilisation),
@@ -88,6 +90,7 @@ void Foam::partialOperators::velocityBlock
         }
     }
 
+    hoop_.addVelocityDiagonal(cmpt, diag);
     if (stabilisation_.active())
     {
         forAll(diag, celli)
@@ -136,6 +139,7 @@ void Foam::partialOperators::rotationBlock
             diag[mesh_[f].own] += K_.rotation(f).Km;
         }
     }
+    hoop_.addRotationDiagonal(diag);
 }
 
 

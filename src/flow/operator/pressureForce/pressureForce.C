@@ -171,7 +171,8 @@ void Foam::pressureForce::weight
         {
             if (celli < mesh_.nCells())
             {
-                f[celli] -= change*mesh_.gradientVector(celli, jump.f);
+                f[celli] -= change/mesh_.depthRatio(celli, jump.f)
+                   *mesh_.gradientVector(celli, jump.f);
             }
         }
     }

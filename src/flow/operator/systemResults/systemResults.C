@@ -25,6 +25,7 @@ License
 #include "surfaceFields.H"
 #include "emptyFvPatch.H"
 #include "processorFvPatch.H"
+#include "wedgeFvPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -154,7 +155,12 @@ Foam::scalar Foam::systemResults::evenWeight() const
     const fvMesh& mesh = mesh_.mesh();
     for (const fvPatch& patch : mesh.boundary())
     {
-        if (isA<emptyFvPatch>(patch) || isA<processorFvPatch>(patch))
+        if
+        (
+            isA<emptyFvPatch>(patch)
+         || isA<wedgeFvPatch>(patch)
+         || isA<processorFvPatch>(patch)
+        )
         {
             continue;
         }
@@ -179,6 +185,10 @@ void Foam::systemResults::getFluxes(surfaceScalarField& phi) const
     {
         scalarField& phip = phi.boundaryFieldRef()[patchi];
         const label start = mesh_.faceOf(mesh_.halo().start(patchi));
+        if (isA<wedgeFvPatch>(mesh_.mesh().boundary()[patchi]))
+        {
+            continue;
+        }
         forAll(phip, i)
         {
             phip[i] = s_.flux[start + i];
@@ -205,6 +215,12 @@ Foam::tmp<Foam::volTensorField> Foam::systemResults::gradU() const
     forAll(grad, celli)
     {
         grad[celli] = mesh_.frame().inSpace(s_.G[celli]);
+        if (mesh_.axial().active())
+        {
+            const vector e(mesh_.frame().e());
+            grad[celli] += (e*e)
+               *(s_.u[celli] & mesh_.radial())/mesh_.radius(celli);
+        }
     }
     grad.correctBoundaryConditions();
 
@@ -269,6 +285,14 @@ Foam::tmp<Foam::scalarField> Foam::systemResults::dissipated() const
         power[celli] += 4*mesh_.V()[celli]*K.etaC(celli)
            *s_.relativeRotation(celli)*s_.omega[celli];
     }
+    if (system_.hoop().active())
+    {
+        forAll(power, celli)
+        {
+            power[celli] -= system_.hoop().force(s_, celli)
+               *(s_.u[celli] & mesh_.radial());
+        }
+    }
 
     return tpower;
 }
@@ -307,6 +331,14 @@ Foam::tmp<Foam::scalarField> Foam::systemResults::bent() const
         power[face.own] +=
             system_.viscous().coupleOnWall(s_, f, true)
            *(s_.omega[face.nei] - s_.omega[face.own]);
+    }
+    if (system_.hoop().active())
+    {
+        forAll(power, celli)
+        {
+            power[celli] -=
+                system_.hoop().couple(s_, celli)*s_.omega[celli];
+        }
     }
 
     return tpower;
@@ -358,6 +390,10 @@ Foam::powerTerms Foam::systemResults::power() const
     )
     {
         reduce(*term, sumOp<scalar>());
+        if (mesh_.axial().active())
+        {
+            *term *= mesh_.axial().toCircle();
+        }
     }
 
     return sum;

@@ -273,8 +273,9 @@ void Foam::viscousCoefficients::setRotationFace
     cosseratFace& K = rotation_[f];
     K.KwP = 2*P.es*cP;
     K.KwN = 2*N.es*cN;
-    K.KsP = relativeCoefficient(P, f)*cP;
-    K.KsN = relativeCoefficient(N, f)*cN;
+    // As deep as the cells: the adjoint of their curl
+    K.KsP = relativeCoefficient(P, f)*cP*mesh_.depthRatio(face.own, f);
+    K.KsN = relativeCoefficient(N, f)*cN*mesh_.depthRatio(face.nei, f);
 
     K.Km = 0;
     if (P.M > 0 && N.M > 0)

@@ -104,6 +104,10 @@ Foam::vector2D Foam::viscousForce::onFace
             wP*tangentialOfTangential(s, P, n)
           + wN*tangentialOfTangential(s, N, n)
         );
+        if (mesh_.axial().active())
+        {
+            Fn -= K_.Kb(f)*(wP*hoopStrain(s, P) + wN*hoopStrain(s, N));
+        }
     }
 
     return Fn*n + Ft*t;
@@ -139,6 +143,10 @@ Foam::vector2D Foam::viscousForce::onWall
     if (K_.Kb(f) > 0)
     {
         Fn -= K_.Kb(f)*tangentialOfTangential(s, P, n);
+        if (mesh_.axial().active())
+        {
+            Fn -= K_.Kb(f)*hoopStrain(s, P);
+        }
     }
 
     scalar Ft = 0;
@@ -158,6 +166,12 @@ Foam::vector2D Foam::viscousForce::onWall
             const cosseratFace& Kr = K_.rotation(f);
             Ft += Kr.KwP*s.omega[P] + Kr.KwN*s.omega[face.nei]
                 + Kr.KsP*s.relativeRotation(P);
+        }
+        if (mesh_.axial().active())
+        {
+            // Halfway there the ring is as much shorter
+            Ft -= narrowing(f)
+               *(Ft + 0.5*face.S/face.dc*(s.f[P] & t));
         }
     }
 
@@ -219,9 +233,21 @@ Foam::scalar Foam::viscousForce::coupleOnWall
         d += (face.k()/face.dc) & s.gradOmega[P];
     }
 
-    return
+    const scalar C =
         K_.rotation(f).Km*d
       + 2*K_.etaC(P)*s.relativeRotation(P)*face.S/face.dc;
+    if (!mesh_.axial().active())
+    {
+        return C;
+    }
+
+    // Halfway there the ring is as much shorter, and between there and the
+    // wall is a couple stress around the axis
+    const scalar around = 0.5*(s.omega[P] + s.omega[face.nei]);
+    return
+        C
+      - narrowing(f)*K_.rotation(f).Km*d
+      + 0.5*face.S/face.dc*K_.M(P)*around/sqr(mesh_.radius(face.nei));
 }
 
 

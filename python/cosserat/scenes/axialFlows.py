@@ -1,0 +1,146 @@
+"""Flows around an axis of which the solution is known: rows of errors, on
+wedges of their own."""
+
+import numpy as np
+
+from cosserat.analytic import (ConeFlow, LayeredPipe, ManufacturedAxial,
+                               Material, PipeFlow, SphereFlow)
+from cosserat.case import residuals
+from cosserat.scenes.axial import AxialCase
+
+STILL = ("type noSlip;", "type zeroGradient;",
+         "type fixedValue; value uniform 0;")
+FREE = ("type noSlip;", "type zeroGradient;", "type zeroGradient;")
+SLIP = ("type slip;", "type zeroGradient;", "type zeroGradient;")
+
+#: Materials of the manufactured solution
+MIXED = {"a": Material(1.0, 2.0, 0.2), "b": Material(3.0, 1.0, 0.4)}
+
+
+def entries(material, **others):
+    """Entries of a law constant."""
+    return {"eta": material.eta, "etaC": material.etaC, "R": material.R,
+            **others}
+
+
+def row(test, case, errors, value, reference, **parameters):
+    """Row of a study."""
+    return {"test": test, "parameters": parameters, **errors, "value": value,
+            "reference": reference, "error": value/reference - 1,
+            "iterations": residuals(case.log())[0][3]}
+
+
+def pipe(path, n, R, etaC=1.0, free=False, **options):
+    """Rate of a periodic pipe of n cells along the radius, over Poiseuille's."""
+    material = Material(1.0, etaC, R)
+    exact = PipeFlow(material, 1.0, 1.0, free)
+    case = AxialCase(path, lambda s, t: (0.2*s, t), (2, n),
+                     {"top": FREE if free else STILL},
+                     {"a": entries(material, rho=1)}, cyclic=True,
+                     g=(1, 0, 0), **options)
+    errors = case.solve_and_compare(lambda x, y: (exact.u(y), 0*y),
+                                    lambda x, y: exact.omega(y))
+    rate = (case.volumes()*case.field("U")[:, 0]).sum()*case.to_circle/0.2
+    return row("pipe", case, errors, rate*8/np.pi, exact.over_poiseuille(),
+               R=R, etaC=etaC, wall="free" if free else "rough")
+
+
+def core(path, n, R=0.3):
+    """Speed in the middle of a pipe with a core of three times the viscosity."""
+    media = Material(3.0, 1.0, R), Material(1.0, 1.0, R)
+    exact = LayeredPipe(*media, 0.5, 1.0, 1.0)
+    case = AxialCase(path, lambda s, t: (0.2*s, t), (2, n), {"top": STILL},
+                     {name: entries(m, rho=1)
+                      for name, m in zip("ab", media)}, cyclic=True,
+                     g=(1, 0, 0), fractions=lambda x, y: (y < 0.5)*1.0)
+    errors = case.solve_and_compare(lambda x, y: (exact.u(y), 0*y),
+                                    lambda x, y: exact.omega(y))
+    middle = case.middles()[1].argmin()
+    return row("core", case, errors, case.field("U")[middle, 0],
+               exact.u(case.middles()[1])[middle], R=R)
+
+
+def sphere(path, n, R, free=False, ratio=4.0):
+    """Drag of a sphere in a body-fitted mesh of 2n x n cells, with the exact
+    flow at `ratio` radii, over Stokes'."""
+    material = Material(1.0, 1.0, R)
+    exact = SphereFlow(material, 1.0, 1.0, free)
+
+    def shape(s, t):
+        angle, r = np.pi*(1 - s), ratio**t
+        return (r*np.cos(angle),
+                np.where((s == 0) | (s == 1), 0, r*np.sin(angle)))
+
+    def part(i):
+        return lambda x, y: exact.fields(x, y)[i]
+
+    case = AxialCase(
+        path, shape, (2*n, n),
+        {"bottom": FREE if free else STILL,
+         "top": (lambda x, y: np.array(exact.fields(x, y)[:2]),
+                 "type zeroGradient;", part(3))},
+        {"a": entries(material)})
+    errors = case.solve_and_compare(
+        lambda x, y: exact.fields(x, y)[:2], part(3), part(2))
+    drag = case.table("load", "wallLoad_bottom.dat")[-1][1]
+    return row("sphere", case, errors, drag/(6*np.pi), exact.over_stokes(),
+               R=R, wall="free" if free else "rough")
+
+
+def cone(path, n, half=25.0, power=None):
+    """Sink flow in a cone with walls that slip; the value is the largest
+    difference of pressures over that of the viscous stress, which is zero; of a
+    power law it is the error of the pressure over its difference."""
+    exact = ConeFlow()
+
+    def shape(s, t):
+        angle = np.radians(half)*t
+        return ((1 + s)*np.cos(angle),
+                np.where(t == 0, 0, (1 + s)*np.sin(angle)))
+
+    given = (exact.u, "type zeroGradient;", "type fixedValue; value uniform 0;")
+    case = AxialCase(path, shape, (n, n//2),
+                     {"left": given, "right": given, "top": SLIP},
+                     {"a": entries(Material(1.0, 1.0, 0.3)) if power is None
+                      else {"law": "powerLaw", "coeffs": f"K 1; n {power};"
+                            " eps 1e-8; etaCRatio 0; R 0; B infinite;"}},
+                     tolerance=1e-8)
+    errors = case.solve_and_compare(exact.u)
+    if power is not None:
+        p = exact.p(*case.middles(), power)
+        off = case.field("p") - p
+        spread = np.abs(off - np.average(off, weights=case.volumes())).max()
+        return {**errors, "errP": spread/np.ptp(p)}
+    # 2 eta u_r,r at the narrow end
+    spread = np.ptp(case.field("p"))/4
+    return row("cone", case, errors, 1 + spread, 1.0, half=half)
+
+
+def manufactured(path, n, wavy=False, tolerance=1e-8, triangles=False):
+    """A made-up flow of varying materials with the axis in it, on n x n cells,
+    straight or wavy, or halved; the value is that of the velocity's norm."""
+    exact = ManufacturedAxial(*MIXED.values())
+    wave = 0.06*wavy
+
+    def shape(s, t):
+        return (s + wave*np.sin(2*np.pi*t)*np.sin(np.pi*s),
+                np.where(t == 0, 0, t + wave*np.sin(2*np.pi*s)
+                         * np.sin(np.pi*t)))
+
+    wall = ("type noSlip;", "type zeroGradient;", exact.omega)
+    case = AxialCase(path, shape, (n, n),
+                     {"left": wall, "right": wall, "top": wall},
+                     {name: entries(m) for name, m in MIXED.items()},
+                     fractions=exact.alpha, force=exact.force,
+                     couple=exact.couple, tolerance=tolerance,
+                     triangles=triangles)
+    errors = case.solve_and_compare(exact.u, exact.omega, exact.p)
+    V = case.volumes()
+
+    def norm(u):
+        return np.sqrt((V*(np.asarray(u)**2).sum(axis=0)).sum())
+
+    return row("manufactured", case, errors, norm(case.field("U")[:, :2].T),
+               norm(exact.u(*case.middles())),
+               mesh="triangles" if triangles else "wavy" if wavy
+               else "straight")
