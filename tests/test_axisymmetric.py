@@ -206,7 +206,7 @@ def test_angle_does_not_matter(tmp_path):
 def test_power_closes(tmp_path):
     """Supply is dissipation, and the integral over gradients nears it."""
     sphere(tmp_path, 24, 0.3)
-    gravity, walls, pressure, viscous, bending, _, cells = Case(
+    gravity, walls, pressure, viscous, bending, _, cells, _ = Case(
         tmp_path).table("power", "powerBalance.dat")[-1][1:]
     assert gravity == 0
     assert walls + pressure == pytest.approx(viscous + bending, rel=1e-8)

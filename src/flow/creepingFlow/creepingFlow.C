@@ -119,7 +119,7 @@ Foam::dictionary Foam::creepingFlow::preconditionerControls() const
     controls.add("smoother", word("GaussSeidel"));
     controls.add("tolerance", 1e-10);
     controls.add("relTol", 0.01);
-    controls.add("maxUses", 8);
+    controls.add("maxUses", 0);
     controls.merge(controls_.subOrEmptyDict("preconditioner"));
 
     return controls;

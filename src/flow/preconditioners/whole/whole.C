@@ -79,7 +79,7 @@ Foam::flowPreconditioners::whole::whole
 :
     flowPreconditioner(system),
     matrix_(system, true),
-    maxUses_(controls.getOrDefault<label>("maxUses", 8)),
+    maxUses_(controls.getOrDefault<label>("maxUses", 0)),
     factorisation_
     (
         sparseFactorisation::New
@@ -92,11 +92,11 @@ Foam::flowPreconditioners::whole::whole
     present_(false),
     nUses_(-1)
 {
-    if (maxUses_ < 1)
+    if (maxUses_ < 0)
     {
         checkedEntry::refuse
         (
-            controls, "maxUses", name(maxUses_), "at least 1"
+            controls, "maxUses", name(maxUses_), "at least 0"
         );
     }
 }
