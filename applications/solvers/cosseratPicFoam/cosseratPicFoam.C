@@ -85,15 +85,68 @@ SourceFiles
 #include "unreadFiles.H"
 #include <cstdlib>
 
-// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    static void addNote()
+    {
+        argList::addNote
+        (
+            "Creeping flow of Cosserat media, planar or around an axis, with"
+            " material points"
+        );
+    }
+
+    static void addSolveOnce()
+    {
+        argList::addBoolOption
+        (
+            "solveOnce",
+            "Solve for the flow of the start time and write it there, with the"
+            " results of function objects; move no point"
+        );
+    }
+
+    //- Write the flow of the start, with the results of function objects
+    static void writeStart(Time& runTime)
+    {
+        runTime.writeNow();
+        runTime.functionObjects().execute();
+        runTime.functionObjects().end();
+    }
+
+    //- Move the points for a step and average them on the mesh; where they
+    //- move by the flow at mid-step, find that
+    static void movePoints
+    (
+        materialPointCloud& points,
+        materialFields& materials,
+        creepingFlow& flow,
+        const scalar dt,
+        progress& done
+    )
+    {
+        if (points.predicts())
+        {
+            Info<< "Flow at mid-step" << endl;
+            points.predict(dt, materials.fractions());
+            materials.correct();
+            flow.solve();
+        }
+        points.move(dt);
+        done.spent("points");
+        points.average(materials.fractions());
+        points.report();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * * Main  * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
 {
-    argList::addNote
-    (
-        "Creeping flow of Cosserat media, planar or around an axis, with"
-        " material points"
-    );
+    addNote();
 
     #include "manual.H"
 
@@ -102,12 +155,7 @@ int main(int argc, char *argv[])
     #include "postProcess.H"
 
     #include "addCheckCaseOptions.H"
-    argList::addBoolOption
-    (
-        "solveOnce",
-        "Solve for the flow of the start time and write it there, with the"
-        " results of function objects; move no point"
-    );
+    addSolveOnce();
     #include "setRootCaseLists.H"
     #include "checkInput.H"
     continuedTime runTime(args);
@@ -130,9 +178,7 @@ int main(int argc, char *argv[])
 
     if (args.found("solveOnce"))
     {
-        runTime.writeNow();
-        runTime.functionObjects().execute();
-        runTime.functionObjects().end();
+        writeStart(runTime);
     }
 
     while (!args.found("solveOnce") && runTime.run())
@@ -151,17 +197,10 @@ int main(int argc, char *argv[])
 
         if (points.valid())
         {
-            if (points->predicts())
-            {
-                Info<< "Flow at mid-step" << endl;
-                points->predict(runTime.deltaTValue(), materials.fractions());
-                materials.correct();
-                flow.solve();
-            }
-            points->move(runTime.deltaTValue());
-            done.spent("points");
-            points->average(materials.fractions());
-            points->report();
+            movePoints
+            (
+                points(), materials, flow, runTime.deltaTValue(), done
+            );
         }
 
         materials.correct();

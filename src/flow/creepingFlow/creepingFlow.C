@@ -23,7 +23,6 @@ License
 
 #include "creepingFlow.H"
 #include "checkedEntry.H"
-#include "checkedText.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -31,78 +30,6 @@ License
 namespace Foam
 {
     defineTypeNameAndDebug(creepingFlow, 0);
-}
-
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-    static IOobject fieldIO
-    (
-        const word& name,
-        const fvMesh& mesh,
-        const IOobject::readOption read
-    )
-    {
-        return IOobject
-        (
-            name, mesh.time().timeName(), mesh, read, IOobject::AUTO_WRITE
-        );
-    }
-
-    //- Of a field that is read to be copied
-    static IOobject inputIO
-    (
-        const word& name,
-        const fvMesh& mesh,
-        const IOobject::readOption read = IOobject::MUST_READ
-    )
-    {
-        return IOobject
-        (
-            name, mesh.time().timeName(), mesh, read, IOobject::NO_WRITE, false
-        );
-    }
-
-    //- A field of the start time. The log says which: not all errors of
-    //- OpenFOAM do
-    template<class Type>
-    static GeometricField<Type, fvPatchField, volMesh> readField
-    (
-        const word& name,
-        const fvMesh& mesh
-    )
-    {
-        const IOobject io(inputIO(name, mesh));
-        Info<< "Reading " << (io.instance()/name).c_str() << endl;
-        const checkedText text(io.objectPath());
-
-        return GeometricField<Type, fvPatchField, volMesh>(io, mesh);
-    }
-
-    //- The values beyond coupled patches; others are set by the system
-    static void evaluateCoupled(volScalarField& field)
-    {
-        const Pstream::commsTypes type = Pstream::commsTypes::nonBlocking;
-        const label startOfRequests = Pstream::nRequests();
-
-        for (fvPatchScalarField& pf : field.boundaryFieldRef())
-        {
-            if (pf.coupled())
-            {
-                pf.initEvaluate(type);
-            }
-        }
-        Pstream::waitRequests(startOfRequests);
-        for (fvPatchScalarField& pf : field.boundaryFieldRef())
-        {
-            if (pf.coupled())
-            {
-                pf.evaluate(type);
-            }
-        }
-    }
 }
 
 
@@ -177,64 +104,6 @@ void Foam::creepingFlow::printParts() const
 }
 
 
-Foam::volScalarField Foam::creepingFlow::readOmega
-(
-    const materialFields& materials
-)
-{
-    // Where nothing solves for it a file is read all the same, so that what
-    // its patches ask for in vain can be told
-    const fvMesh& mesh = materials.mesh();
-    IOobject io(inputIO("omega", mesh));
-
-    if
-    (
-        materials.parts().has(sceneParts::MICROROTATION)
-     || io.typeHeaderOk<volScalarField>(true)
-    )
-    {
-        return readField<scalar>("omega", mesh);
-    }
-
-    return volScalarField
-    (
-        inputIO("omega", mesh, IOobject::NO_READ),
-        mesh,
-        dimensionedScalar(dimless/dimTime, Zero),
-        "calculated"
-    );
-}
-
-
-template<class FieldType>
-void Foam::creepingFlow::checkField
-(
-    const FieldType& field,
-    const dimensionSet& dims
-) const
-{
-    const dictionary file(fileName(field.objectPath()));
-
-    if (field.dimensions() != dims)
-    {
-        FatalIOErrorInFunction(file)
-            << "Entry 'dimensions' is " << field.dimensions() << nl
-            << "    Allowed: " << dims << exit(FatalIOError);
-    }
-
-    for (const auto& value : field.primitiveField())
-    {
-        if (!checkedEntry::inRange(mag(value)))
-        {
-            FatalIOErrorInFunction(file)
-                << "Entry 'internalField' has the value " << value << nl
-                << "    Allowed: up to " << checkedEntry::largest
-                << exit(FatalIOError);
-        }
-    }
-}
-
-
 void Foam::creepingFlow::checkLoads() const
 {
     scalar net, magnitude;
@@ -282,148 +151,13 @@ void Foam::creepingFlow::checkLoads() const
 }
 
 
-void Foam::creepingFlow::pack()
-{
-    const label n = system_.nCells();
-    const bool first = x_.size() != system_.size();
-    x_.setSize(system_.size());
-
-    SubList<scalar>(x_, n, 0) = U_.primitiveField().component(frame_.i0())();
-    SubList<scalar>(x_, n, n) = U_.primitiveField().component(frame_.i1())();
-    if (first)
-    {
-        // A solution read is taken to the heights of the system; a uniform
-        // field is none, and as good a guess there
-        const scalarField& pRgh = pRgh_.primitiveField();
-        SubField<scalar> p(x_, n, 2*n);
-        p = pRgh;
-        if (gMax(pRgh) > gMin(pRgh))
-        {
-            p = pRgh + system_.loads().fromPRgh();
-        }
-    }
-
-    if (system_.cosserat())
-    {
-        SubList<scalar>(x_, n, 3*n) = omega_.primitiveField();
-        for (label celli = 0; celli < n; ++celli)
-        {
-            if (system_.rotationUndetermined(celli))
-            {
-                x_[3*n + celli] = 0;
-            }
-        }
-    }
-}
-
-
-void Foam::creepingFlow::setPRgh()
-{
-    SubField<scalar> p(x_, system_.nCells(), 2*system_.nCells());
-    const scalarField& from = system_.loads().fromPRgh();
-
-    // A restart has what p_rgh leaves of the pressure: so has the run that is
-    // not stopped, as long as it leaves most of the digits
-    const bool near = gMax(mag(from)) < 1e3*gMax(mag(p));
-    bool changed = false;
-
-    forAll(from, celli)
-    {
-        scalar& pRgh = pRgh_[celli];
-        if (pRgh + from[celli] != p[celli])
-        {
-            pRgh = p[celli] - from[celli];
-            const scalar left = pRgh + from[celli];
-            changed = changed || left != p[celli];
-            if (near)
-            {
-                p[celli] = left;
-            }
-        }
-    }
-
-    if (near && returnReduce(changed, orOp<bool>()))
-    {
-        scalarField r;
-        system_.residual(x_, true, state_, r);
-    }
-}
-
-
-void Foam::creepingFlow::unpack()
-{
-    setPRgh();
-
-    const label n = system_.nCells();
-    const systemResults results(this->results());
-
-    forAll(U_, celli)
-    {
-        U_[celli] = frame_.inSpace(state_.u[celli]);
-        omega_[celli] =
-            system_.cosserat() && !system_.rotationUndetermined(celli)
-          ? x_[3*n + celli]
-          : 0.5*state_.curl(celli);
-    }
-
-    p_.primitiveFieldRef() =
-        SubField<scalar>(x_, n, 2*n) + system_.loads().rhoGh();
-
-    // Coupled patches by evaluation, then the others as the system has them
-    U_.correctBoundaryConditions();
-    omega_.correctBoundaryConditions();
-    evaluateCoupled(pRgh_);
-    p_.correctBoundaryConditions();
-
-    for (const label patchi : boundary_.patches())
-    {
-        const fvPatch& patch = mesh_.boundary()[patchi];
-        const labelUList& cells = patch.faceCells();
-
-        vectorField Ub(patch.size());
-        scalarField omegab(patch.size()), pRghb(patch.size()), pb(patch.size());
-        forAll(patch, i)
-        {
-            const label slot = halo_.start(patchi) + i;
-            Ub[i] = results.boundaryVelocity(slot);
-            omegab[i] = omega_[cells[i]];
-            if (system_.cosserat())
-            {
-                // What is given stays so for the material that may come
-                if (boundary_.rotationFixed(boundary_.at(slot)))
-                {
-                    omegab[i] = boundary_.rotation(boundary_.at(slot));
-                }
-                else if (!system_.rotationUndetermined(cells[i]))
-                {
-                    omegab[i] = results.boundaryRotation(slot);
-                }
-            }
-            const scalar p = results.boundaryPressure(slot);
-            pb[i] = p + results.boundaryRhoGh(slot);
-            pRghb[i] =
-                boundary_.pressureFixed(boundary_.at(slot))
-              ? boundary_.pressure(boundary_.at(slot))
-              : p - system_.loads().fromPRgh()[cells[i]];
-        }
-
-        U_.boundaryFieldRef()[patchi] == Ub;
-        omega_.boundaryFieldRef()[patchi] == omegab;
-        pRgh_.boundaryFieldRef()[patchi] == pRghb;
-        p_.boundaryFieldRef()[patchi] == pb;
-    }
-
-    results.getFluxes(phi_);
-}
-
-
 void Foam::creepingFlow::report()
 {
     ++nSolves_;
     nIterations_ += performance_.iterations;
     maxIterations_ = max(maxIterations_, performance_.iterations);
 
-    const word names[] = {"U", pRgh_.name(), "omega"};
+    const word names[] = {"U", fields_.pRgh().name(), "omega"};
 
     for (label i = 0; i < system_.layout().nBlocks() - 1; ++i)
     {
@@ -462,26 +196,7 @@ void Foam::creepingFlow::report()
     }
     else
     {
-        FatalErrorInFunction
-            << "Flow not converged at time " << mesh_.time().timeName()
-            << " after " << performance_.iterations << " iterations:"
-            << " residuals of U, p_rgh, omega " << performance_.final << nl
-            << "    Largest etaC/eta "
-            << system_.coefficients().largestCoupling()
-            << ", largest jump of eta between cells "
-            << system_.coefficients().largestJump() << nl
-            << "    Mesh: distances to neighbours up to "
-            << system_.faces().largestAspect() << " : 1, faces up to "
-            << system_.faces().largestAngle()
-            << " degrees from the path through them" << nl
-            << "    Cures, in system/fvSolution, creepingFlow: a larger"
-            << " maxIter or nDirections, block whole in preconditioner, a"
-            << " larger tolerance; or notConverged warn, to go on"
-            << " regardless." << nl
-            << "    In the scene: cells nearer to squares (from about 10 : 1"
-            << " and 45 degrees on they cost iterations), a smaller etaC/eta or"
-            << " contrast (beyond 1e3 and 1e6 the flow hardly depends on"
-            << " them)" << exit(FatalError);
+        refuseUnconverged();
     }
 }
 
@@ -505,35 +220,12 @@ Foam::creepingFlow::creepingFlow(materialFields& materials)
     materials_(materials),
     controls_(mesh_.solutionDict().subOrEmptyDict(typeName)),
     goOn_(readGoOn()),
-    U_
-    (
-        fieldIO("U", mesh_, IOobject::NO_READ),
-        readField<vector>("U", mesh_)
-    ),
-    pRgh_
-    (
-        fieldIO("p_rgh", mesh_, IOobject::NO_READ),
-        readField<scalar>("p_rgh", mesh_)
-    ),
-    p_
-    (
-        fieldIO("p", mesh_, IOobject::NO_READ),
-        mesh_,
-        dimensionedScalar(dimPressure, Zero),
-        "calculated"
-    ),
-    omega_(fieldIO("omega", mesh_, IOobject::NO_READ), readOmega(materials)),
-    phi_
-    (
-        fieldIO("phi", mesh_, IOobject::NO_READ),
-        mesh_,
-        dimensionedScalar(dimVolume/dimTime, Zero)
-    ),
+    fields_(materials),
     frame_(mesh_),
     halo_(mesh_, frame_),
     boundary_
     (
-        frame_, halo_, U_, pRgh_, omega_,
+        frame_, halo_, fields_.U(), fields_.pRgh(), fields_.omega(),
         materials.parts().has(sceneParts::MICROROTATION)
     ),
     system_(mesh_, frame_, halo_, boundary_, materials, readCorners()),
@@ -558,9 +250,6 @@ Foam::creepingFlow::creepingFlow(materialFields& materials)
     nIterations_(0),
     maxIterations_(0)
 {
-    // Lest decomposing a written time leaves out the signs of turned faces
-    phi_.setOriented();
-
     const dictionary& solution = mesh_.solutionDict();
     checkedEntry::reportUnread
     (
@@ -582,9 +271,7 @@ Foam::creepingFlow::creepingFlow(materialFields& materials)
             "nonlinear"
         }
     );
-    checkField(U_, dimVelocity);
-    checkField(pRgh_, dimPressure);
-    checkField(omega_, dimless/dimTime);
+    fields_.check();
 
     Info<< "    preconditioner " << preconditionerControls();
     Info<< endl;
@@ -664,7 +351,7 @@ void Foam::creepingFlow::solveOnce()
         system_.updateWalls();
         system_.update();
         checkLoads();
-        pack();
+        fields_.pack(system_, x_);
         performance_ = nonlinear_.solve(x_, state_);
         nChanges_ = materials_.nChanges();
     }
@@ -672,11 +359,11 @@ void Foam::creepingFlow::solveOnce()
     {
         updateSystem();
         checkLoads();
-        pack();
+        fields_.pack(system_, x_);
         performance_ = solver_.solve(x_, state_);
     }
     // Also without iterations: patch fields wait for it to take new values
-    unpack();
+    fields_.unpack(system_, boundary_, x_, state_);
     report();
     if (nSolves_ == 1)
     {

@@ -161,4 +161,29 @@ void Foam::creepingFlow::refuseTolerance() const
 }
 
 
+void Foam::creepingFlow::refuseUnconverged() const
+{
+    FatalErrorInFunction
+        << "Flow not converged at time " << mesh_.time().timeName()
+        << " after " << performance_.iterations << " iterations:"
+        << " residuals of U, p_rgh, omega " << performance_.final << nl
+        << "    Largest etaC/eta "
+        << system_.coefficients().largestCoupling()
+        << ", largest jump of eta between cells "
+        << system_.coefficients().largestJump() << nl
+        << "    Mesh: distances to neighbours up to "
+        << system_.faces().largestAspect() << " : 1, faces up to "
+        << system_.faces().largestAngle()
+        << " degrees from the path through them" << nl
+        << "    Cures, in system/fvSolution, creepingFlow: a larger"
+        << " maxIter or nDirections, block whole in preconditioner, a"
+        << " larger tolerance; or notConverged warn, to go on"
+        << " regardless." << nl
+        << "    In the scene: cells nearer to squares (from about 10 : 1"
+        << " and 45 degrees on they cost iterations), a smaller etaC/eta or"
+        << " contrast (beyond 1e3 and 1e6 the flow hardly depends on"
+        << " them)" << exit(FatalError);
+}
+
+
 // ************************************************************************* //

@@ -49,18 +49,18 @@ void Foam::creepingFlow::tellFunctionObjects() const
     // One residual of all components
     solverData(mesh_).setSolverPerformance
     (
-        U_.name(),
+        fields_.U().name(),
         SolverPerformance<vector>
         (
-            solver, U_.name(), vector::uniform(did.initial[0]),
+            solver, fields_.U().name(), vector::uniform(did.initial[0]),
             vector::uniform(did.final[0]),
             Vector<label>::uniform(did.iterations), did.converged, false
         )
     );
-    scalars(pRgh_.name(), 1);
+    scalars(fields_.pRgh().name(), 1);
     if (system_.cosserat())
     {
-        scalars(omega_.name(), 2);
+        scalars(fields_.omega().name(), 2);
     }
 }
 
@@ -79,8 +79,9 @@ void Foam::creepingFlow::show
     (
         flowState
         {
-            mesh_, frame_.e(), tgradU().primitiveField(), p_.primitiveField(),
-            omega_.primitiveField(), tgradOmega(), nullptr
+            mesh_, frame_.e(), tgradU().primitiveField(),
+            fields_.p().primitiveField(), fields_.omega().primitiveField(),
+            tgradOmega(), nullptr
         }
     );
 }
@@ -91,7 +92,7 @@ Foam::tmp<Foam::volTensorField> Foam::creepingFlow::stress() const
     // e_kij of gamma_ij = u_i,j + e_kij omega_k                             [5]
     const tensor permutation(-(*frame_.e()));
 
-    const volTensorField gamma(gradU()().T() + omega_*permutation);
+    const volTensorField gamma(gradU()().T() + fields_.omega()*permutation);
 
     tmp<volTensorField> tsigma
     (
@@ -100,7 +101,7 @@ Foam::tmp<Foam::volTensorField> Foam::creepingFlow::stress() const
             "sigma",
             (materials_.eta() + materials_.etaC())*gamma
           + (materials_.eta() - materials_.etaC())*gamma.T()
-          - p_*tensor::I
+          - fields_.p()*tensor::I
         )
     );
 
@@ -118,7 +119,7 @@ Foam::tmp<Foam::volVectorField> Foam::creepingFlow::coupleStress() const
     return volVectorField::New
     (
         "coupleStress",
-        materials_.M()*fvc::grad(omega_, "linear")
+        materials_.M()*fvc::grad(fields_.omega(), "linear")
     );
 }
 
@@ -141,7 +142,7 @@ Foam::tmp<Foam::volScalarField> Foam::creepingFlow::dissipation() const
     if (materials_.parts().has(sceneParts::COMPRESSIBILITY))
     {
         // B tr(D)^2, with B tr(D) = -p; the rest is in the viscous force
-        power -= p_.primitiveField()*tr(gradU()().primitiveField());
+        power -= fields_.p().primitiveField()*tr(gradU()().primitiveField());
     }
     tdissipation.ref().correctBoundaryConditions();
 
@@ -153,7 +154,7 @@ Foam::tmp<Foam::volScalarField> Foam::creepingFlow::gradientDissipation() const
 {
     const tmp<volTensorField> tgrad(gradU());
     const volSymmTensorField D(symm(tgrad()));
-    const volScalarField s(omega_ - (frame_.e() & (*skew(tgrad()))));
+    const volScalarField s(fields_.omega() - (frame_.e() & (*skew(tgrad()))));
 
     tmp<volScalarField> tdissipation
     (
@@ -162,7 +163,7 @@ Foam::tmp<Foam::volScalarField> Foam::creepingFlow::gradientDissipation() const
             "gradientDissipation",
             2*materials_.eta()*(D && D)
           + 4*materials_.etaC()*sqr(s)
-          + materials_.M()*magSqr(fvc::grad(omega_, "linear"))
+          + materials_.M()*magSqr(fvc::grad(fields_.omega(), "linear"))
         )
     );
 
@@ -173,7 +174,7 @@ Foam::tmp<Foam::volScalarField> Foam::creepingFlow::gradientDissipation() const
         forAll(power, celli)
         {
             power[celli] += materials_.M()[celli]
-               *sqr(omega_[celli]/mesh.radius(celli));
+               *sqr(fields_.omega()[celli]/mesh.radius(celli));
         }
     }
 
@@ -181,7 +182,7 @@ Foam::tmp<Foam::volScalarField> Foam::creepingFlow::gradientDissipation() const
     {
         // (B - eta) tr(D)^2, with B tr(D) = -p
         tdissipation.ref() -=
-            (p_ + materials_.eta()*tr(D))*tr(D);
+            (fields_.p() + materials_.eta()*tr(D))*tr(D);
     }
 
     return tdissipation;

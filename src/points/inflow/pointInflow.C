@@ -121,6 +121,46 @@ void Foam::pointInflow::readSums(const IOobject::readOption read)
 }
 
 
+bool Foam::pointInflow::letIn
+(
+    materialPointCloud& cloud,
+    const pointVelocity& velocity,
+    const openFaces& faces,
+    const point& from,
+    const label celli,
+    const label material,
+    const scalar volume,
+    const scalar left
+) const
+{
+    // Inside by a millionth of the way to the centre
+    materialPoint* p = new materialPoint
+    (
+        mesh_,
+        from + 1e-6*(mesh_.cellCentres()[celli] - from),
+        celli,
+        material,
+        0,
+        volume
+    );
+
+    cloud.properties().enter(*p);
+    cloud.properties().update(*p, 0.5*left);
+    const scalar rest = p->track(left*velocity.value(*p), 0);
+    cloud.properties().update(*p, 0.5*left);
+
+    // Through a corner of the body in one step
+    if (rest > 0 && p->onBoundaryFace() && faces.out(p->face()))
+    {
+        delete p;
+        return false;
+    }
+
+    cloud.addParticle(p);
+    return true;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::pointInflow::pointInflow
@@ -248,35 +288,24 @@ void Foam::pointInflow::enter
                     refuse(patchi);
                 }
 
-                const scalar fraction = std::fmod(k*golden, 1);
-                const point at(place(patch.start() + i, fraction));
-
-                // Inside by a millionth of the way to the centre
-                materialPoint* p = new materialPoint
+                const point from
                 (
-                    mesh_,
-                    at + 1e-6*(mesh_.cellCentres()[celli] - at),
-                    celli,
-                    material_[patchi],
-                    0,
-                    volume
+                    place(patch.start() + i, std::fmod(k*golden, 1))
                 );
-
-                cloud.properties().enter(*p);
-
                 const scalar left =
                     dt*min(max((now - k)/(now - before), scalar(0)), scalar(1));
-                cloud.properties().update(*p, 0.5*left);
-                const scalar rest = p->track(left*velocity.value(*p), 0);
-                cloud.properties().update(*p, 0.5*left);
 
-                // Through a corner of the body in one step
-                if (rest > 0 && p->onBoundaryFace() && faces.out(p->face()))
+                if
+                (
+                    !letIn
+                    (
+                        cloud, velocity, faces, from, celli,
+                        material_[patchi], volume, left
+                    )
+                )
                 {
-                    delete p;
                     continue;
                 }
-                cloud.addParticle(p);
 
                 ++nIn;
                 volumeIn += volume;

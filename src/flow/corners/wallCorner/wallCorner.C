@@ -53,11 +53,6 @@ namespace Foam
         return a.x()*b.y() - a.y()*b.x();
     }
 
-    static inline vector2D inPlane(const vector& v, const planarFrame& frame)
-    {
-        return vector2D(v[frame.i0()], v[frame.i1()]);
-    }
-
     //- A wall face: its ends, its outward normal, what it is
     struct wallFace
     {
@@ -74,14 +69,14 @@ namespace Foam
         vector2D* ends
     )
     {
-        ends[1] = inPlane(points[f[0]], frame);
+        ends[1] = frame.inPlane(points[f[0]]);
         for (label i = 0; i < 2; ++i)
         {
             const vector2D from(ends[1 - i]);
             ends[i] = from;
             for (const label pointi : f)
             {
-                const vector2D p(inPlane(points[pointi], frame));
+                const vector2D p(frame.inPlane(points[pointi]));
                 if (magSqr(p - from) > magSqr(ends[i] - from))
                 {
                     ends[i] = p;
@@ -121,7 +116,7 @@ namespace Foam
                 {
                     vector2D ends[2];
                     findEnds(pp[i], mesh.points(), frame, ends);
-                    const vector2D n(inPlane(pp.faceAreas()[i], frame));
+                    const vector2D n(frame.inPlane(pp.faceAreas()[i]));
                     for
                     (
                         const scalar s :
@@ -230,7 +225,7 @@ namespace Foam
         List<DynamicList<label>> cells(corners.size());
         forAll(points, pointi)
         {
-            const vector2D p(inPlane(points[pointi], frame));
+            const vector2D p(frame.inPlane(points[pointi]));
             const scalar from = p.x() - 2*tolerance;
             const scalar to = p.x() + 2*tolerance;
             for
@@ -286,7 +281,7 @@ namespace Foam
             {
                 const vector2D centre
                 (
-                    corner.from(inPlane(C[celli], frame))
+                    corner.from(frame.inPlane(C[celli]))
                 );
                 DynamicList<scalar> row;
                 row.append(i);

@@ -23,42 +23,6 @@ License
 
 #include "cellGradient.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-    static tensor2D product(const gradientMatrix& L, const tensor2D& g)
-    {
-        tensor2D sum(Zero);
-        for (direction j = 0; j < 4; ++j)
-        {
-            for (direction l = 0; l < 4; ++l)
-            {
-                sum[j] += L[4*j + l]*g[l];
-            }
-        }
-        return sum;
-    }
-
-    static tensor2D transposedProduct
-    (
-        const gradientMatrix& L,
-        const tensor2D& g
-    )
-    {
-        tensor2D sum(Zero);
-        for (direction j = 0; j < 4; ++j)
-        {
-            for (direction l = 0; l < 4; ++l)
-            {
-                sum[j] += L[4*l + j]*g[l];
-            }
-        }
-        return sum;
-    }
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::cellGradient::setWallRotation

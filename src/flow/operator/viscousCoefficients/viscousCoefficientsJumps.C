@@ -50,6 +50,97 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+bool Foam::viscousCoefficients::jumps(const label f) const
+{
+    const label P = mesh_[f].own, N = mesh_[f].nei;
+    // Beyond rounding
+    const scalar least = 1e-12*a(P);
+
+    auto differ = [&](const scalar aP, const scalar bP, const label i)
+    {
+        return mag(aP - a(i)) > least || mag(bP - b(i)) > least;
+    };
+
+    const scalar rest =
+        overRest_.size() ? overRest_[N]/overRest_[P] : 1;
+    if (differ(a(N)/rest, b(N)/rest, P))
+    {
+        return true;
+    }
+    if (sides_.empty())
+    {
+        return false;
+    }
+    const cutCells::layers& sP = sides_[f][0];
+    const cutCells::layers& sN = sides_[f][1];
+    return differ(sP.a, sP.b, P) || differ(sN.a, sN.b, N);
+}
+
+
+Foam::scalar Foam::viscousCoefficients::stiffShare(const label f) const
+{
+    scalar facing = 0;
+    label n = 0;
+    for (label k = 0; k < 2 && sides_.size(); ++k)
+    {
+        if (sides_[f][k].facing >= 0)
+        {
+            facing += sides_[f][k].facing;
+            ++n;
+        }
+    }
+    return n ? pow4(facing/n) : 1;
+}
+
+
+Foam::jumpFace Foam::viscousCoefficients::setJump(const label f)
+{
+    const planarFace& face = mesh_[f];
+    viscousFace& K = faces_[f];
+    const scalar wP = face.w, wN = 1 - wP;
+    const scalar etaP = eta_[face.own], etaN = eta_[face.nei];
+    K.wStiff = wP*etaP/(wP*etaP + wN*etaN);
+    K.wSoft = wP*etaN/(wP*etaN + wN*etaP);
+    const scalar x = stiffShare(f);
+    K.wq = x*K.wStiff + (1 - x)*K.wSoft;
+
+    // Along the path
+    const scalar l[] = {1 - face.w, face.w};
+    scalar a = 0, eta = 0, b = 0, e[2];
+    for (label k = 0; k < 2; ++k)
+    {
+        const cutCells::layers side(this->side(f, k));
+        a += l[k]/side.a;
+        eta += l[k]/side.eta;
+        b += l[k]*side.b/side.a;
+        e[k] = 2*l[k]*side.es/side.a;
+    }
+
+    jumpFace jump;
+    jump.f = f;
+    for (label k = 0; k < 2; ++k)
+    {
+        const label celli = k ? face.nei : face.own;
+        const cutCells::layers side(this->side(f, k));
+        const cutCells::layers own(this->a(celli) > side.a ? at(celli) : side);
+
+        // From the cell to the face, u changes by these shares
+        const scalar n = l[k]/(own.eta*eta), t = l[k]/(own.a*a);
+        const scalar sign = k ? -1 : 1;
+        jumpSide& take = jump.sides[k];
+        take.wn = k ? n : 1 - n;
+        take.wt = k ? t : 1 - t;
+        take.q = sign*(t*b - l[k]*own.b/own.a)/face.dc;
+
+        scalar omega[] = {t*e[0], t*e[1]};
+        omega[k] -= 2*l[k]*own.es/own.a;
+        take.omegaP = sign*omega[0]/face.dc;
+        take.omegaN = sign*omega[1]/face.dc;
+    }
+    return jump;
+}
+
+
 void Foam::viscousCoefficients::addJump
 (
     const jumpFace& jump,

@@ -23,20 +23,7 @@ License
 
 #include "materialFields.H"
 #include "checkedEntry.H"
-#include "StringStream.H"
 #include "zeroGradientFvPatchFields.H"
-
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-const Foam::Enum<Foam::materialFields::averageType>
-Foam::materialFields::averageTypeNames
-({
-    { averageType::ARITHMETIC, "arithmetic" },
-    { averageType::GEOMETRIC, "geometric" },
-    { averageType::HARMONIC, "harmonic" },
-    { averageType::LAYERED, "layered" }
-});
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -70,38 +57,6 @@ Foam::PtrList<Foam::material> Foam::materialFields::readMaterials() const
 }
 
 
-Foam::materialFields::averageType Foam::materialFields::readAverage
-(
-    const word& key,
-    const averageType standard,
-    const UList<averageType>& allowed
-) const
-{
-    const word name
-    (
-        dict_.getOrDefault<word>(key, averageTypeNames[standard])
-    );
-
-    if
-    (
-        !averageTypeNames.found(name)
-     || !allowed.found(averageTypeNames[name])
-    )
-    {
-        wordList names;
-        for (const averageType rule : allowed)
-        {
-            names.append(averageTypeNames[rule]);
-        }
-        OStringStream os;
-        os  << flatOutput(names);
-        checkedEntry::refuse(dict_, key, name, os.str());
-    }
-
-    return averageTypeNames[name];
-}
-
-
 Foam::volScalarField Foam::materialFields::newField
 (
     const word& name,
@@ -122,64 +77,6 @@ Foam::volScalarField Foam::materialFields::newField
         dimensionedScalar(name, value.dimensions(), value.value()),
         zeroGradientFvPatchScalarField::typeName
     );
-}
-
-
-void Foam::materialFields::average
-(
-    volScalarField& field,
-    const UPtrList<const materialProperty>& values,
-    const averageType rule
-) const
-{
-    scalarField& q = field.primitiveFieldRef();
-    q = rule == averageType::GEOMETRIC ? 1 : 0;
-    scalar largest = 0;
-
-    forAll(alphas_, m)
-    {
-        largest = max(largest, values[m].largest());
-        const scalarField& alpha = alphas_[m].primitiveField();
-        const materialProperty& value = values[m];
-
-        forAll(q, celli)
-        {
-            switch (rule)
-            {
-                case averageType::ARITHMETIC:
-                {
-                    q[celli] += alpha[celli]*value[celli];
-                    break;
-                }
-                case averageType::GEOMETRIC:
-                {
-                    q[celli] *= Foam::pow(value[celli], alpha[celli]);
-                    break;
-                }
-                case averageType::HARMONIC:
-                {
-                    // A material without the property leaves none to the cell
-                    q[celli] += alpha[celli]/max(value[celli], VSMALL);
-                    break;
-                }
-                case averageType::LAYERED:
-                {
-                    // cutCells
-                    break;
-                }
-            }
-        }
-    }
-
-    if (rule == averageType::HARMONIC)
-    {
-        for (scalar& value : q)
-        {
-            value = largest > 0 && largest*value <= 1/SMALL ? 1/value : 0;
-        }
-    }
-
-    field.correctBoundaryConditions();
 }
 
 
@@ -249,19 +146,53 @@ void Foam::materialFields::setProperties()
     const auto M = all([](type m) -> property { return m.law().M(); });
     const auto invB = all([](type m) -> property { return m.law().invB(); });
 
-    average(rho_, rho, densityAverage_);
+    cellAverage::average(alphas_, rho_, rho, densityAverage_);
     if (layered())
     {
         takeCuts();
     }
     else
     {
-        average(eta_, eta, viscosityAverage_);
-        average(etaC_, etaC, viscosityAverage_);
-        average(M_, M, viscosityAverage_);
+        cellAverage::average(alphas_, eta_, eta, viscosityAverage_);
+        cellAverage::average(alphas_, etaC_, etaC, viscosityAverage_);
+        cellAverage::average(alphas_, M_, M, viscosityAverage_);
     }
     // Volume changes of the materials of a cell add up
-    average(invB_, invB, averageType::ARITHMETIC);
+    cellAverage::average
+    (
+        alphas_, invB_, invB, cellAverage::rule::ARITHMETIC
+    );
+}
+
+
+void Foam::materialFields::readFractions()
+{
+    forAll(alphas_, m)
+    {
+        IOobject io
+        (
+            IOobject::groupName("alpha", materials_[m].name()),
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        );
+
+        fractionsRead_ =
+            fractionsRead_ && io.typeHeaderOk<volScalarField>(true);
+
+        alphas_.set
+        (
+            m,
+            new volScalarField
+            (
+                io,
+                mesh_,
+                dimensionedScalar(dimless, Zero),
+                zeroGradientFvPatchScalarField::typeName
+            )
+        );
+    }
 }
 
 
@@ -332,27 +263,32 @@ Foam::materialFields::materialFields(const fvMesh& mesh)
     ),
     viscosityAverage_
     (
-        readAverage
+        cellAverage::read
         (
+            dict_,
             "viscosityAverage",
-            averageType::LAYERED,
-            List<averageType>
+            cellAverage::rule::LAYERED,
+            List<cellAverage::rule>
             ({
-                averageType::ARITHMETIC, averageType::GEOMETRIC,
-                averageType::HARMONIC, averageType::LAYERED
+                cellAverage::rule::ARITHMETIC,
+                cellAverage::rule::GEOMETRIC,
+                cellAverage::rule::HARMONIC,
+                cellAverage::rule::LAYERED
             })
         )
     ),
     densityAverage_
     (
-        readAverage
+        cellAverage::read
         (
+            dict_,
             "densityAverage",
-            averageType::ARITHMETIC,
-            List<averageType>
+            cellAverage::rule::ARITHMETIC,
+            List<cellAverage::rule>
             ({
-                averageType::ARITHMETIC, averageType::GEOMETRIC,
-                averageType::HARMONIC
+                cellAverage::rule::ARITHMETIC,
+                cellAverage::rule::GEOMETRIC,
+                cellAverage::rule::HARMONIC
             })
         )
     ),
@@ -371,32 +307,7 @@ Foam::materialFields::materialFields(const fvMesh& mesh)
         dict_, {"materials", "viscosityAverage", "densityAverage"}
     );
 
-    forAll(alphas_, m)
-    {
-        IOobject io
-        (
-            IOobject::groupName("alpha", materials_[m].name()),
-            mesh.time().timeName(),
-            mesh,
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        );
-
-        fractionsRead_ =
-            fractionsRead_ && io.typeHeaderOk<volScalarField>(true);
-
-        alphas_.set
-        (
-            m,
-            new volScalarField
-            (
-                io,
-                mesh,
-                dimensionedScalar(dimless, Zero),
-                zeroGradientFvPatchScalarField::typeName
-            )
-        );
-    }
+    readFractions();
 
     Info<< "Materials" << nl;
     for (const material& m : materials_)
@@ -406,8 +317,8 @@ Foam::materialFields::materialFields(const fvMesh& mesh)
     if (alphas_.size())
     {
         Info<< "    viscosityAverage "
-            << averageTypeNames[viscosityAverage_] << ", densityAverage "
-            << averageTypeNames[densityAverage_] << nl;
+            << cellAverage::names[viscosityAverage_] << ", densityAverage "
+            << cellAverage::names[densityAverage_] << nl;
     }
     Info<< endl;
 }
