@@ -23,6 +23,7 @@ License
 
 #include "pointMerging.H"
 #include "cellPoints.H"
+#include "closestPair.H"
 #include "materialPointCloud.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -100,58 +101,6 @@ void Foam::pointMerging::merge
 }
 
 
-bool Foam::pointMerging::mergeClosest
-(
-    cellPoints& points,
-    const label celli,
-    const scalar largest
-) const
-{
-    const DynamicList<materialPoint*>& here = points[celli];
-    List<point> places(here.size());
-    forAll(here, i)
-    {
-        places[i] = here[i]->position();
-    }
-
-    materialPoint* stays = nullptr;
-    materialPoint* goes = nullptr;
-    scalar least = GREAT;
-    forAll(here, i)
-    {
-        for (label j = 0; j < i; ++j)
-        {
-            materialPoint& a = *here[i];
-            materialPoint& b = *here[j];
-            const scalar volume = a.volume() + b.volume();
-            const scalar lost =
-                a.volume()*b.volume()/volume*magSqr(places[i] - places[j]);
-
-            if
-            (
-                cellSurroundings::more*lost < least
-             && volume <= largest
-             && sameKind(a, b)
-            )
-            {
-                least = lost;
-                stays = a.volume() < b.volume() ? &b : &a;
-                goes = a.volume() < b.volume() ? &a : &b;
-            }
-        }
-    }
-    if (!goes)
-    {
-        return false;
-    }
-
-    points.remove(celli, goes);
-    merge(points.cloud(), *stays, *goes, true);
-
-    return true;
-}
-
-
 Foam::DynamicList<Foam::materialPoint*> Foam::pointMerging::pointsAround
 (
     cellPoints& points,
@@ -187,8 +136,30 @@ Foam::label Foam::pointMerging::thin
 {
     const DynamicList<materialPoint*>& here = points[celli];
     const label before = here.size();
-    while (here.size() > most && mergeClosest(points, celli, largest))
-    {}
+    if (before <= most)
+    {
+        return 0;
+    }
+
+    closestPair closest(here, largest);
+    while (here.size() > most)
+    {
+        const label later = closest.later();
+        if (later < 0)
+        {
+            break;
+        }
+        const label earlier = closest.earlier(later);
+        const bool first = here[later]->volume() < here[earlier]->volume();
+        const label stays = first ? earlier : later;
+        const label goes = first ? later : earlier;
+
+        materialPoint& kept = *here[stays];
+        materialPoint& gone = *here[goes];
+        points.remove(celli, &gone);
+        merge(points.cloud(), kept, gone, true);
+        closest.update(stays, goes);
+    }
 
     return before - here.size();
 }
