@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cellLinks.H"
+#include "wedgeFvPatch.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -38,7 +39,7 @@ Foam::cellLinks::cellLinks(const fvMesh& mesh, const planarFrame& frame)
         links_.append(link{celli, behind, way, boundary});
     };
 
-    const vectorField& C = mesh.cellCentres();
+    const vectorField& C = mesh.C();
     forAll(mesh.neighbour(), f)
     {
         const label P = mesh.owner()[f], N = mesh.neighbour()[f];
@@ -48,6 +49,11 @@ Foam::cellLinks::cellLinks(const fvMesh& mesh, const planarFrame& frame)
 
     for (const fvPatch& patch : mesh.boundary())
     {
+        // The planes of a wedge, between which the flow is
+        if (isA<wedgeFvPatch>(patch))
+        {
+            continue;
+        }
         vectorField ways(patch.Cf() - patch.Cn());
         if (patch.coupled())
         {
