@@ -34,6 +34,35 @@ License
 static const Foam::scalar largestTilt = 1e-6;
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    //- Normals and places of the planes of a wedge
+    static void findPlanes
+    (
+        const polyMesh& mesh,
+        DynamicList<vector>& n,
+        DynamicList<point>& at
+    )
+    {
+        for (const polyPatch& pp : mesh.boundaryMesh())
+        {
+            if (!isA<wedgePolyPatch>(pp))
+            {
+                continue;
+            }
+            const scalar area = gSum(mag(pp.faceAreas()));
+            if (area > 0)
+            {
+                n.append(normalised(gSum(pp.faceAreas())));
+                at.append(gSum(pp.faceCentres()*mag(pp.faceAreas()))/area);
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::axialSymmetry::setAxis(const polyMesh& mesh)
@@ -48,22 +77,9 @@ void Foam::axialSymmetry::setAxis(const polyMesh& mesh)
             << exit(FatalError);
     };
 
-    // Normals and places of the two planes
     DynamicList<vector> n;
     DynamicList<point> at;
-    for (const polyPatch& pp : mesh.boundaryMesh())
-    {
-        if (!isA<wedgePolyPatch>(pp))
-        {
-            continue;
-        }
-        const scalar area = gSum(mag(pp.faceAreas()));
-        if (area > 0)
-        {
-            n.append(normalised(gSum(pp.faceAreas())));
-            at.append(gSum(pp.faceCentres()*mag(pp.faceAreas()))/area);
-        }
-    }
+    findPlanes(mesh, n, at);
     if (n.size() != 2)
     {
         refuse(name(n.size()) + " patches of type wedge");

@@ -93,6 +93,32 @@ bool Foam::creepingFlow::readCorners() const
 }
 
 
+void Foam::creepingFlow::checkControls() const
+{
+    const dictionary& solution = mesh_.solutionDict();
+    checkedEntry::reportUnread
+    (
+        solution, {typeName, "solvers", "relaxationFactors", "cache"}
+    );
+    if (!solution.found(typeName))
+    {
+        Info<< "No dictionary " << typeName << " in "
+            << solution.name().name() << ": all entries have their"
+            << " defaults" << nl;
+    }
+
+    checkedEntry::only
+    (
+        controls_,
+        {
+            "tolerance", "maxIter", "nDirections", "notConverged",
+            "preconditioner", "freeSurfaceStabilisation", "corners", "forced",
+            "nonlinear", "stop", "discretisationCoeffs"
+        }
+    );
+}
+
+
 void Foam::creepingFlow::printParts() const
 {
     materials_.parts().print
@@ -243,6 +269,7 @@ Foam::creepingFlow::creepingFlow(materialFields& materials)
         materials, system_, boundary_, preconditioner_(), motions_, solver_,
         controls_.subOrEmptyDict("nonlinear"), goOn_
     ),
+    stop_(system_, materials, controls_),
     state_(system_.newState()),
     nChanges_(0),
     nUnconverged_(0),
@@ -250,27 +277,7 @@ Foam::creepingFlow::creepingFlow(materialFields& materials)
     nIterations_(0),
     maxIterations_(0)
 {
-    const dictionary& solution = mesh_.solutionDict();
-    checkedEntry::reportUnread
-    (
-        solution, {typeName, "solvers", "relaxationFactors", "cache"}
-    );
-    if (!solution.found(typeName))
-    {
-        Info<< "No dictionary " << typeName << " in "
-            << solution.name().name() << ": all entries have their"
-            << " defaults" << nl;
-    }
-
-    checkedEntry::only
-    (
-        controls_,
-        {
-            "tolerance", "maxIter", "nDirections", "notConverged",
-            "preconditioner", "freeSurfaceStabilisation", "corners", "forced",
-            "nonlinear"
-        }
-    );
+    checkControls();
     fields_.check();
 
     Info<< "    preconditioner " << preconditionerControls();
@@ -342,6 +349,33 @@ void Foam::creepingFlow::updateSystem()
 }
 
 
+void Foam::creepingFlow::solveLinear()
+{
+    performance_ = solver_.solve(x_, state_, &stop_);
+    if (!stop_.active())
+    {
+        return;
+    }
+
+    const auto estimate = [&]()
+    {
+        fields_.unpack(system_, boundary_, x_, state_);
+        stop_.estimate(gradU(), power().dissipated());
+    };
+
+    const bool known = stop_.known();
+    estimate();
+    if (!known && performance_.converged)
+    {
+        const flexibleGMRES::performance first(performance_);
+        performance_ = solver_.solve(x_, state_, &stop_);
+        performance_.iterations += first.iterations;
+        performance_.initial = first.initial;
+        estimate();
+    }
+}
+
+
 void Foam::creepingFlow::solveOnce()
 {
     if (system_.followsFlow())
@@ -360,7 +394,7 @@ void Foam::creepingFlow::solveOnce()
         updateSystem();
         checkLoads();
         fields_.pack(system_, x_);
-        performance_ = solver_.solve(x_, state_);
+        solveLinear();
     }
     // Also without iterations: patch fields wait for it to take new values
     fields_.unpack(system_, boundary_, x_, state_);

@@ -23,7 +23,6 @@ License
 
 #include "flexibleGMRES.H"
 #include "openfoamVersion.H"
-#include "RectangularMatrix.H"
 #include "PstreamReduceOps.H"
 #include "ListOps.H"
 #include <cmath>
@@ -145,13 +144,35 @@ Foam::scalar Foam::flexibleGMRES::orthogonalise
 }
 
 
+Foam::scalarList Foam::flexibleGMRES::coefficients
+(
+    const scalarRectangularMatrix& R,
+    const UList<scalar>& g,
+    const label k
+)
+{
+    scalarList y(SubList<scalar>(g, k));
+    for (label i = k - 1; i >= 0; --i)
+    {
+        for (label j = i + 1; j < k; ++j)
+        {
+            y[i] -= R(i, j)*y[j];
+        }
+        y[i] /= R(i, i);
+    }
+
+    return y;
+}
+
+
 Foam::label Foam::flexibleGMRES::cycle
 (
     scalarField& x,
     const scalarField& r,
     const scalar target,
     const label maxIter,
-    operatorState& s
+    operatorState& s,
+    discretisationStop* stop
 )
 {
     const label m = min(nDirections_, maxIter);
@@ -164,6 +185,8 @@ Foam::label Foam::flexibleGMRES::cycle
     const scalar beta = Foam::sqrt(gSumSqr(r));
     v_[0] = r/beta;
     g[0] = beta;
+
+    scalarField before(stop ? x.size() : 0, Zero);
 
     label k = 0;
     while (k < m && mag(g[k]) > target)
@@ -204,17 +227,19 @@ Foam::label Foam::flexibleGMRES::cycle
             R(i, k) = h[i];
         }
         ++k;
-    }
 
-    for (label i = k - 1; i >= 0; --i)
-    {
-        for (label j = i + 1; j < k; ++j)
+        if (stop && stop->due(k, mag(g[k])))
         {
-            g[i] -= R(i, j)*g[j];
+            scalarField now(x.size(), Zero);
+            z_.add(coefficients(R, g, k), now);
+            if (stop->met(now - before, s))
+            {
+                break;
+            }
+            before = now;
         }
-        g[i] /= R(i, i);
     }
-    z_.add(SubList<scalar>(g, k), x);
+    z_.add(coefficients(R, g, k), x);
 
     return k;
 }
@@ -259,7 +284,8 @@ Foam::flexibleGMRES::flexibleGMRES
 Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
 (
     scalarField& x,
-    operatorState& s
+    operatorState& s,
+    discretisationStop* stop
 )
 {
     scalarField r;
@@ -284,12 +310,24 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
     scalar residual = Foam::sqrt(gSumSqr(r))/reference;
     result.initial = norms(r, reference);
 
-    while (residual > tolerance_ && result.iterations < maxIter_)
+    const scalar wanted = stop ? stop->tolerance(tolerance_) : tolerance_;
+    discretisationStop* looks = stop && stop->known() ? stop : nullptr;
+    if (looks)
+    {
+        looks->start(reference);
+    }
+    bool stopped = false;
+
+    while
+    (
+        residual > wanted && !stopped && result.iterations < maxIter_
+    )
     {
         const label done = cycle
         (
-            x, r, 0.9*tolerance_*reference, maxIter_ - result.iterations, s
+            x, r, 0.9*wanted*reference, maxIter_ - result.iterations, s, looks
         );
+        stopped = looks && looks->stopped();
         result.iterations += done;
 
         weightedResidual(x, true, s, r);
@@ -302,7 +340,7 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
     }
 
     result.final = norms(r, reference);
-    result.converged = residual <= tolerance_;
+    result.converged = residual <= wanted || stopped;
 
     // A reference beyond range leaves zeros
     if (!std::isfinite(residual))

@@ -97,7 +97,6 @@ Foam::functionObjects::errorIndicator::errorIndicator
 :
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(obr_, name, typeName, dict),
-    indicator_(creepingFlow::find(mesh_).materials()),
     gradients_(false)
 {
     read(dict);
@@ -135,6 +134,10 @@ bool Foam::functionObjects::errorIndicator::read(const dictionary& dict)
 bool Foam::functionObjects::errorIndicator::execute()
 {
     const creepingFlow& flow = creepingFlow::find(mesh_);
+    if (!indicator_)
+    {
+        indicator_.reset(new strainIndicator(flow.materials()));
+    }
 
     auto tfield = tmp<volScalarField>::New
     (
@@ -144,9 +147,9 @@ bool Foam::functionObjects::errorIndicator::execute()
         "zeroGradient"
     );
     tmp<volTensorField> tgradU(flow.gradU());
-    tmp<volVectorField> tgradOmega(indicator_.gradOmega());
+    tmp<volVectorField> tgradOmega(indicator_->gradOmega());
     tfield.ref().primitiveFieldRef() =
-        indicator_.power(tgradU(), tgradOmega());
+        indicator_->power(tgradU(), tgradOmega());
     tfield.ref().correctBoundaryConditions();
 
     const scalar sum = gSum(tfield().primitiveField());

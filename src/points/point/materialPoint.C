@@ -63,6 +63,29 @@ void Foam::materialPoint::startPart(const scalar begin, const scalar courant)
 }
 
 
+void Foam::materialPoint::startStage(const trackingData& td)
+{
+    const pointIntegration& scheme = td.integration;
+    const vector U(td.velocity.value(*this));
+
+    if (!std::isfinite(mag(U)))
+    {
+        lost("the velocity is not a number");
+    }
+
+    ++stage_;
+    sum_ += scheme.b(stage_)*U;
+    displacement_ =
+        part_*td.dt*(stage_ < scheme.nStages() - 1 ? scheme.a(stage_)*U : sum_)
+      - travelled_;
+
+    if (!std::isfinite(mag(displacement_)))
+    {
+        lost("the way of its step is not a number");
+    }
+}
+
+
 void Foam::materialPoint::lost(const string& why) const
 {
     FatalErrorInFunction
@@ -148,8 +171,7 @@ bool Foam::materialPoint::move
     td.switchProcessor = false;
     td.keepParticle = true;
 
-    const pointIntegration& scheme = td.integration;
-    const label n = scheme.nStages();
+    const label n = td.integration.nStages();
 
     // A point crosses few faces in a step; many mean that it cannot move on
     const label maxTracks = 10000;
@@ -175,24 +197,7 @@ bool Foam::materialPoint::move
                 startPart(begin_, td.courant[cell()]);
             }
 
-            // At the end of a stage: velocity here, way to the next one
-            const vector U(td.velocity.value(*this));
-
-            if (!std::isfinite(mag(U)))
-            {
-                lost("the velocity is not a number");
-            }
-
-            ++stage_;
-            sum_ += scheme.b(stage_)*U;
-            displacement_ =
-                part_*td.dt*(stage_ < n - 1 ? scheme.a(stage_)*U : sum_)
-              - travelled_;
-
-            if (!std::isfinite(mag(displacement_)))
-            {
-                lost("the way of its step is not a number");
-            }
+            startStage(td);
             continue;
         }
 

@@ -258,25 +258,16 @@ Foam::scalarList Foam::volumeBalance::give
 }
 
 
-Foam::label Foam::volumeBalance::handOn
+void Foam::volumeBalance::findPlaces
 (
     cellPoints& points,
     const UList<meeting>& meetings,
-    scalarField& filled
+    scalarList& volume,
+    List<scalarList>& place,
+    Map<DynamicList<point>>& taken
 ) const
 {
-    materialPointCloud& cloud = points.cloud();
-    const fvMesh& mesh = surroundings_.mesh();
-    const scalarField& V = mesh.V();
-
-    // What is handed on by point of the mesh, and where it goes
-    const label nPoints = mesh.nPoints();
-    scalarList volume(nPoints, GREAT);
-    List<scalarList> place(3, scalarList(nPoints, Zero));
-    labelList nTaken(mesh.nCells(), Zero);
-
-    // Places of points of the takers, those to come too
-    Map<DynamicList<point>> taken;
+    const scalarField& V = surroundings_.mesh().V();
 
     for (const meeting& at : meetings)
     {
@@ -318,6 +309,26 @@ Foam::label Foam::volumeBalance::handOn
     {
         sync(each, plusEqOp<scalar>(), scalar(0));
     }
+}
+
+
+Foam::label Foam::volumeBalance::handOn
+(
+    cellPoints& points,
+    const UList<meeting>& meetings,
+    scalarField& filled
+) const
+{
+    materialPointCloud& cloud = points.cloud();
+    const fvMesh& mesh = surroundings_.mesh();
+
+    // What is handed on by point of the mesh, and where it goes; places of
+    // points of the takers, those to come too
+    const label nPoints = mesh.nPoints();
+    scalarList volume(nPoints, GREAT);
+    List<scalarList> place(3, scalarList(nPoints, Zero));
+    Map<DynamicList<point>> taken;
+    findPlaces(points, meetings, volume, place, taken);
 
     List<scalarList> numbers
     (
