@@ -258,3 +258,18 @@ def test_refused(tmp_path, change, words):
         case.run("cosseratPicFoam")
     for word in words:
         assert word in str(refused.value)
+
+
+def test_points_refused(tmp_path):
+    """Material points would be moved and seeded as if in a plane."""
+    case = AxialCase(tmp_path, block, (4, 4),
+                     {side: STILL for side in ("left", "right", "top")},
+                     HEAVY, g=(-1, 0, 0))
+    (case.path/"constant/materialPointsProperties").write_text(
+        "FoamFile { version 2.0; format ascii; class dictionary;"
+        " object materialPointsProperties; }\n"
+        "seeding { pointsPerCell 4; }\n")
+    with pytest.raises(RunError) as refused:
+        case.run("cosseratPicFoam")
+    for word in ["materialPointsProperties", "is a wedge", "planar meshes"]:
+        assert word in str(refused.value)
