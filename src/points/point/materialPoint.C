@@ -24,6 +24,7 @@ License
 #include "materialPointCloud.H"
 #include "pointVelocity.H"
 #include "pointIntegration.H"
+#include "planarWalk.H"
 #include "coupledPolyPatch.H"
 #include <cmath>
 
@@ -138,6 +139,23 @@ void Foam::materialPoint::startStep()
 }
 
 
+void Foam::materialPoint::setPlace
+(
+    const barycentric& y,
+    const label celli,
+    const label facei,
+    const label tetPti
+)
+{
+    // OpenFOAM has no other way to set them but by tracking
+    const_cast<barycentric&>(coordinates()) = y;
+    cell() = celli;
+    tetFace() = facei;
+    tetPt() = tetPti;
+    face() = -1;
+}
+
+
 bool Foam::materialPoint::move
 (
     materialPointCloud& cloud,
@@ -147,6 +165,13 @@ bool Foam::materialPoint::move
 {
     td.switchProcessor = false;
     td.keepParticle = true;
+
+    // At the start of the step
+    if (td.walk && stage_ < 0 && !nTracks_ && td.walk->step(*this, td))
+    {
+        stepFraction() = 1;
+        return true;
+    }
 
     const pointIntegration& scheme = td.integration;
     const label n = scheme.nStages();

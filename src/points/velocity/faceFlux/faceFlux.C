@@ -319,17 +319,25 @@ void Foam::pointVelocities::faceFlux::update()
 
 Foam::vector Foam::pointVelocities::faceFlux::value(const particle& p) const
 {
-    const label celli = p.cell();
+    return value(p.position(), p.cell());
+}
 
+
+Foam::vector Foam::pointVelocities::faceFlux::value
+(
+    const point& p,
+    const label celli
+) const
+{
     if (fan_[celli] >= 0)
     {
-        return fans_[fan_[celli]].value(p.position());
+        return fans_[fan_[celli]].value(p);
     }
 
     return
         start_[celli + 1] - start_[celli] == 3
-      ? inTriangle(celli, p.position())
-      : inQuadrilateral(celli, p.position());
+      ? inTriangle(celli, p)
+      : inQuadrilateral(celli, p);
 }
 
 
