@@ -324,11 +324,6 @@ Foam::materialPoint::trackingData Foam::materialPointCloud::track
 {
     velocity_->update();
 
-    for (materialPoint& p : *this)
-    {
-        p.startStep();
-    }
-
     const openFaces open(coupling_->U(), coupling_->phi());
     materialPoint::trackingData td
     (

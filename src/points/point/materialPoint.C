@@ -243,6 +243,11 @@ bool Foam::materialPoint::move
         }
     }
 
+    if (td.keepParticle && !td.switchProcessor)
+    {
+        startStep();
+    }
+
     return td.keepParticle;
 }
 
