@@ -35,6 +35,10 @@ License
 //- Edges that a way crosses at most; more are a circle by rounding
 static const Foam::label mostEdges = 1000;
 
+//- Distance from a face of the boundary, beside that of the cell centre, at
+//  which a place is on it: only OpenFOAM's tracking slides points along walls
+static const Foam::scalar touching = 1e-9;
+
 //- Parts of the span that the cells may differ from a flat layer by rounding
 static const Foam::scalar flat = 1e-9;
 
@@ -203,13 +207,17 @@ bool Foam::planarWalk::walk
         const place& c = centres_[celli];
         const place d = {to.x - c.x, to.y - c.y};
 
-        bool inside = true;
+        bool inside = true, atWall = false;
         for (label i = start_[celli]; i < start_[celli + 1]; ++i)
         {
             const edgeOfCell& e = edges_[i];
             const scalar a = e.a.x*d.x + e.a.y*d.y;
             const scalar b = e.b.x*d.x + e.b.y*d.y;
-            if (a + b > 1)
+            if (e.beyond < 0)
+            {
+                atWall = atWall || a + b > 1 - touching;
+            }
+            else if (a + b > 1)
             {
                 inside = false;
                 break;
@@ -217,7 +225,7 @@ bool Foam::planarWalk::walk
         }
         if (inside)
         {
-            return true;
+            return !atWall;
         }
 
         const label i = exitEdge(celli, from, to);
