@@ -166,8 +166,10 @@ bool Foam::materialPoint::move
     td.switchProcessor = false;
     td.keepParticle = true;
 
-    // At the start of the step
-    if (td.walk && stage_ < 0 && !nTracks_ && td.walk->step(*this, td))
+    // Only a whole step: the cloud calls those that have done it again while
+    // others change processor
+    const bool atStart = stepFraction() == 0 && stage_ < 0;
+    if (td.walk && atStart && td.walk->step(*this, td))
     {
         stepFraction() = 1;
         return true;
