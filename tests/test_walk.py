@@ -26,7 +26,8 @@ def driven(box, target, walk, deltaT=0.02, steps=20, integration="RK2",
 
 
 @pytest.mark.parametrize("parameters", [
-    {}, {"integration": "RK4"}, {"integration": "Euler"}, {"deltaT": 0.4, "steps": 2},
+    {}, {"integration": "RK4"}, {"integration": "Euler"},
+    {"deltaT": 0.4, "steps": 2},
     {"shear": 0.7}, {"triangles": True}, {"honeycomb": True},
     {"halved": lambda x, y: np.abs(x) + np.abs(y - 0.1) < 0.3}],
     ids=["squares", "RK4", "Euler", "parts", "sheared", "triangles",
