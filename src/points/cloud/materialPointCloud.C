@@ -209,17 +209,27 @@ Foam::materialPointCloud::materialPointCloud
     census_(),
     population_(mesh_, dict_, seeding_.pointsPerCell()),
     velocity_(pointVelocity::New(dict_, coupling_->U(), coupling_->phi())),
+    walk_(),
     inflow_(U, materials, dict_, seeding_.pointsPerCell()),
     correction_(dict_),
     account_()
 {
+    if (dict_.getOrDefault<bool>("planarWalk", true) && velocity_->byPlace())
+    {
+        walk_.reset(new planarWalk(mesh_));
+        if (!walk_->possible())
+        {
+            walk_.clear();
+        }
+    }
+
     checkedEntry::reportUnread
     (
         dict_,
         {
             "seeding", "velocity", "integration", "coupling", "average",
             "minPointsPerCell", "maxPointsPerCell", "volumeCorrection",
-            "inflow", "properties"
+            "inflow", "properties", "planarWalk"
         }
     );
 
@@ -247,6 +257,7 @@ Foam::materialPointCloud::materialPointCloud
         << ", minPointsPerCell " << population_.minPointsPerCell()
         << ", maxPointsPerCell " << population_.maxPointsPerCell()
         << ", volumeCorrection " << correction_.active()
+        << ", planarWalk " << Switch(bool(walk_))
         << nl << endl;
     properties_.report();
 
@@ -334,15 +345,10 @@ Foam::materialPoint::trackingData Foam::materialPointCloud::track
 {
     velocity_->update();
 
-    for (materialPoint& p : *this)
-    {
-        p.startStep();
-    }
-
     const openFaces open(coupling_->U(), coupling_->phi());
     materialPoint::trackingData td
     (
-        *this, *velocity_, *integration_, open, dt, courant(dt)
+        *this, *velocity_, *integration_, walk_.get(), open, dt, courant(dt)
     );
 
     properties_.update(*this, 0.5*dt);

@@ -24,6 +24,7 @@ License
 #include "materialPointCloud.H"
 #include "pointVelocity.H"
 #include "pointIntegration.H"
+#include "planarWalk.H"
 #include "coupledPolyPatch.H"
 #include <cmath>
 
@@ -161,6 +162,23 @@ void Foam::materialPoint::startStep()
 }
 
 
+void Foam::materialPoint::setPlace
+(
+    const barycentric& y,
+    const label celli,
+    const label facei,
+    const label tetPti
+)
+{
+    // OpenFOAM has no other way to set them but by tracking
+    const_cast<barycentric&>(coordinates()) = y;
+    cell() = celli;
+    tetFace() = facei;
+    tetPt() = tetPti;
+    face() = -1;
+}
+
+
 bool Foam::materialPoint::move
 (
     materialPointCloud& cloud,
@@ -170,6 +188,15 @@ bool Foam::materialPoint::move
 {
     td.switchProcessor = false;
     td.keepParticle = true;
+
+    // Only a whole step: the cloud calls those that have done it again while
+    // others change processor
+    const bool atStart = stepFraction() == 0 && stage_ < 0;
+    if (td.walk && atStart && td.walk->step(*this, td))
+    {
+        stepFraction() = 1;
+        return true;
+    }
 
     const label n = td.integration.nStages();
 
@@ -221,6 +248,11 @@ bool Foam::materialPoint::move
         {
             lost("not at the end of its step after 10000 faces");
         }
+    }
+
+    if (td.keepParticle && !td.switchProcessor)
+    {
+        startStep();
     }
 
     return td.keepParticle;

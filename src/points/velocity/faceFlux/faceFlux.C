@@ -176,28 +176,40 @@ Foam::vector Foam::pointVelocities::faceFlux::inQuadrilateral
     const point& p
 ) const
 {
+    // In the plane, from the first corner: the sides to its neighbours and
+    // what the fourth is off a parallelogram
     const label s = start_[celli];
-    const vector A(corners_[s + 1] - corners_[s]);
-    const vector B(corners_[s + 3] - corners_[s]);
-    const vector C(corners_[s + 2] - corners_[s + 1] - B);
-    const vector d(p - corners_[s]);
+    const point& o = corners_[s];
+    const scalar a0 = corners_[s + 1][i0_] - o[i0_];
+    const scalar a1 = corners_[s + 1][i1_] - o[i1_];
+    const scalar b0 = corners_[s + 3][i0_] - o[i0_];
+    const scalar b1 = corners_[s + 3][i1_] - o[i1_];
+    const scalar c0 = corners_[s + 2][i0_] - corners_[s + 1][i0_] - b0;
+    const scalar c1 = corners_[s + 2][i1_] - corners_[s + 1][i1_] - b1;
+    const scalar d0 = p[i0_] - o[i0_];
+    const scalar d1 = p[i1_] - o[i1_];
+    const bool affine =
+        mag(c0) + mag(c1) < 1e-14*(mag(a0) + mag(a1) + mag(b0) + mag(b1));
 
     // Newton's method for xi, eta; one step for a parallelogram
     scalar xi = 0.5, eta = 0.5, J = 1;
-    vector xXi, xEta;
+    scalar xXi0 = a0, xXi1 = a1, xEta0 = b0, xEta1 = b1;
     for (label i = 0; i < 10; ++i)
     {
-        xXi = A + eta*C;
-        xEta = B + xi*C;
-        J = xXi[i0_]*xEta[i1_] - xXi[i1_]*xEta[i0_];
+        xXi0 = a0 + eta*c0;
+        xXi1 = a1 + eta*c1;
+        xEta0 = b0 + xi*c0;
+        xEta1 = b1 + xi*c1;
+        J = xXi0*xEta1 - xXi1*xEta0;
 
-        const vector r(d - xi*A - eta*B - xi*eta*C);
-        const scalar dXi = (r[i0_]*xEta[i1_] - r[i1_]*xEta[i0_])/J;
-        const scalar dEta = (xXi[i0_]*r[i1_] - xXi[i1_]*r[i0_])/J;
+        const scalar r0 = d0 - xi*a0 - eta*b0 - xi*eta*c0;
+        const scalar r1 = d1 - xi*a1 - eta*b1 - xi*eta*c1;
+        const scalar dXi = (r0*xEta1 - r1*xEta0)/J;
+        const scalar dEta = (xXi0*r1 - xXi1*r0)/J;
         xi += dXi;
         eta += dEta;
 
-        if (mag(dXi) + mag(dEta) < 1e-12)
+        if (affine || mag(dXi) + mag(dEta) < 1e-12)
         {
             break;
         }
@@ -215,7 +227,10 @@ Foam::vector Foam::pointVelocities::faceFlux::inQuadrilateral
       - (flux_[s] + slope_[s]*x)*(1 - eta)
       + 0.5*(slope_[s + 1] - slope_[s + 3])*eta*(1 - eta);
 
-    return (fXi*xXi + fEta*xEta)/J;
+    vector U(Zero);
+    U[i0_] = (fXi*xXi0 + fEta*xEta0)/J;
+    U[i1_] = (fXi*xXi1 + fEta*xEta1)/J;
+    return U;
 }
 
 
@@ -319,17 +334,25 @@ void Foam::pointVelocities::faceFlux::update()
 
 Foam::vector Foam::pointVelocities::faceFlux::value(const particle& p) const
 {
-    const label celli = p.cell();
+    return value(p.position(), p.cell());
+}
 
+
+Foam::vector Foam::pointVelocities::faceFlux::value
+(
+    const point& p,
+    const label celli
+) const
+{
     if (fan_[celli] >= 0)
     {
-        return fans_[fan_[celli]].value(p.position());
+        return fans_[fan_[celli]].value(p);
     }
 
     return
         start_[celli + 1] - start_[celli] == 3
-      ? inTriangle(celli, p.position())
-      : inQuadrilateral(celli, p.position());
+      ? inTriangle(celli, p)
+      : inQuadrilateral(celli, p);
 }
 
 

@@ -1,0 +1,408 @@
+/*---------------------------------------------------------------------------*\
+    cosseratPicFoam: creeping flow of Cosserat media with material points
+-------------------------------------------------------------------------------
+    Copyright (C) 2026 The cosseratPicFoam authors
+-------------------------------------------------------------------------------
+License
+    This file is part of cosseratPicFoam.
+
+    cosseratPicFoam is free software: you can redistribute it and/or modify it
+    under the terms of the GNU General Public License as published by
+    the Free Software Foundation, either version 3 of the License, or
+    (at your option) any later version.
+
+    cosseratPicFoam is distributed in the hope that it will be useful, but
+    WITHOUT ANY WARRANTY; without even the implied warranty of MERCHANTABILITY
+    or FITNESS FOR A PARTICULAR PURPOSE.  See the GNU General Public License
+    for more details.
+
+    You should have received a copy of the GNU General Public License
+    along with cosseratPicFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "planarWalk.H"
+#include "planarCells.H"
+#include "pointVelocity.H"
+#include "pointIntegration.H"
+#include "emptyPolyPatch.H"
+#include "tetIndices.H"
+#include "meshTools.H"
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
+
+//- Edges that a way crosses at most; more are a circle by rounding
+static const Foam::label mostEdges = 1000;
+
+//- Distance from a face of the boundary, beside that of the cell centre, at
+//  which a place is on it: only OpenFOAM's tracking slides points along walls
+static const Foam::scalar touching = 1e-9;
+
+//- Parts of the span that the cells may differ from a flat layer by rounding
+static const Foam::scalar flat = 1e-9;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::planarWalk::setHalf
+(
+    const label celli,
+    const label facei,
+    const place& end,
+    half& h
+) const
+{
+    const direction normal = 3 - i0_ - i1_;
+    const pointField& points = mesh_.points();
+    const scalar near = flat*mesh_.bounds().mag();
+
+    for (label tetPti = 1; tetPti <= 2; ++tetPti)
+    {
+        const triFace tri
+        (
+            tetIndices(celli, facei, tetPti).faceTriIs(mesh_)
+        );
+
+        FixedList<bool, 3> here, front;
+        label nHere = 0;
+        forAll(tri, i)
+        {
+            const place q(inPlane(points[tri[i]]));
+            here[i] = mag(q.x - end.x) + mag(q.y - end.y) < near;
+            front[i] = points[tri[i]][normal] > middle_[normal];
+            nHere += here[i];
+        }
+        if (nHere != 2)
+        {
+            continue;
+        }
+
+        h.tetPt = tetPti;
+        h.farther = here[0] ? (here[1] ? 2 : 1) : 0;
+        const direction i = (h.farther + 1) % 3, j = (h.farther + 2) % 3;
+        h.same = front[i] == front[h.farther] ? i : j;
+        h.opposite = h.same == i ? j : i;
+
+        return front[h.same] != front[h.opposite];
+    }
+
+    return false;
+}
+
+
+bool Foam::planarWalk::setEdge
+(
+    const label celli,
+    const label facei,
+    edgeOfCell& e
+) const
+{
+    const direction normal = 3 - i0_ - i1_;
+    const face& f = mesh_.faces()[facei];
+    const pointField& points = mesh_.points();
+    const scalar near = flat*mesh_.bounds().mag();
+
+    // Its ends are what two corners on the same side of the plane are
+    List<place> ends;
+    scalar depths = 0;
+    for (const label pointi : f)
+    {
+        const scalar depth = points[pointi][normal] - middle_[normal];
+        depths += depth;
+        if (depth > 0)
+        {
+            ends.append(inPlane(points[pointi]));
+        }
+    }
+    if (f.size() != 4 || ends.size() != 2 || mag(depths) > near)
+    {
+        return false;
+    }
+
+    const place& c = centres_[celli];
+    place a = {ends[0].x - c.x, ends[0].y - c.y};
+    place b = {ends[1].x - c.x, ends[1].y - c.y};
+    scalar twoA = a.x*b.y - a.y*b.x;
+    if (twoA < 0)
+    {
+        Swap(a, b);
+        Swap(ends[0], ends[1]);
+        twoA = -twoA;
+    }
+    if (!(twoA > SMALL*sqr(near)) || !std::isfinite(1/twoA))
+    {
+        return false;
+    }
+
+    e.a = {b.y/twoA, -b.x/twoA};
+    e.b = {-a.y/twoA, a.x/twoA};
+    e.face = facei;
+    e.beyond = -1;
+    if (mesh_.isInternalFace(facei))
+    {
+        const label P = mesh_.faceOwner()[facei];
+        e.beyond = P == celli ? mesh_.faceNeighbour()[facei] : P;
+    }
+
+    return
+        setHalf(celli, facei, ends[0], e.ends[0])
+     && setHalf(celli, facei, ends[1], e.ends[1]);
+}
+
+
+Foam::label Foam::planarWalk::exitEdge
+(
+    const label celli,
+    const place& from,
+    const place& to
+) const
+{
+    const place& c = centres_[celli];
+    const place d = {from.x - c.x, from.y - c.y};
+    const place way = {to.x - from.x, to.y - from.y};
+
+    label leaves = -1;
+    scalar first = GREAT;
+    scalar middle = -GREAT;
+    for (label i = start_[celli]; i < start_[celli + 1]; ++i)
+    {
+        const edgeOfCell& e = edges_[i];
+        const scalar a = e.a.x*way.x + e.a.y*way.y;
+        const scalar b = e.b.x*way.x + e.b.y*way.y;
+        if (a + b <= 0)
+        {
+            continue;
+        }
+
+        const scalar atA = e.a.x*d.x + e.a.y*d.y;
+        const scalar atB = e.b.x*d.x + e.b.y*d.y;
+        const scalar t = (1 - atA - atB)/(a + b);
+
+        // Of edges that the way meets at once, as in a row with hanging nodes
+        // and at corners, the one within whose ends it does
+        const scalar within = min(atA + t*a, atB + t*b);
+        const bool atOnce = mag(t - first) < 1e-9*(1 + mag(t));
+        if (atOnce ? within > middle : t < first)
+        {
+            leaves = i;
+            first = t;
+            middle = within;
+        }
+    }
+
+    return leaves;
+}
+
+
+bool Foam::planarWalk::walk
+(
+    label& celli,
+    const place& from,
+    const place& to
+) const
+{
+    for (label n = 0; n < mostEdges; ++n)
+    {
+        const place& c = centres_[celli];
+        const place d = {to.x - c.x, to.y - c.y};
+
+        bool inside = true, atWall = false;
+        for (label i = start_[celli]; i < start_[celli + 1]; ++i)
+        {
+            const edgeOfCell& e = edges_[i];
+            const scalar a = e.a.x*d.x + e.a.y*d.y;
+            const scalar b = e.b.x*d.x + e.b.y*d.y;
+            if (e.beyond < 0)
+            {
+                atWall = atWall || a + b > 1 - touching;
+            }
+            else if (a + b > 1)
+            {
+                inside = false;
+                break;
+            }
+        }
+        if (inside)
+        {
+            return !atWall;
+        }
+
+        const label i = exitEdge(celli, from, to);
+        if (i < 0 || edges_[i].beyond < 0)
+        {
+            return false;
+        }
+        celli = edges_[i].beyond;
+    }
+
+    return false;
+}
+
+
+void Foam::planarWalk::put
+(
+    materialPoint& p,
+    const label celli,
+    const place& at
+) const
+{
+    const place& c = centres_[celli];
+    const place d = {at.x - c.x, at.y - c.y};
+
+    // The triangle that holds it, or the nearest by rounding
+    label in = start_[celli];
+    scalar best = -GREAT, lA = 0, lB = 0;
+    for (label i = start_[celli]; i < start_[celli + 1]; ++i)
+    {
+        const edgeOfCell& e = edges_[i];
+        const scalar a = e.a.x*d.x + e.a.y*d.y;
+        const scalar b = e.b.x*d.x + e.b.y*d.y;
+        if (min(a, b) > best)
+        {
+            best = min(a, b);
+            in = i;
+            lA = a;
+            lB = b;
+        }
+    }
+    lA = max(lA, scalar(0));
+    lB = max(lB, scalar(0));
+
+    const half& h = edges_[in].ends[lA >= lB ? 0 : 1];
+    const scalar nearer = max(lA, lB), farther = min(lA, lB);
+    FixedList<scalar, 3> l;
+    l[h.same] = 0.5*(nearer - farther);
+    l[h.opposite] = 0.5*(nearer + farther);
+    l[h.farther] = farther;
+
+    p.setPlace
+    (
+        barycentric(1 - lA - lB, l[0], l[1], l[2]),
+        celli, edges_[in].face, h.tetPt
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::planarWalk::planarWalk(const polyMesh& mesh)
+:
+    mesh_(mesh),
+    i0_(0),
+    i1_(1),
+    start_(mesh.nCells() + 1, Zero),
+    centres_(mesh.nCells()),
+    middle_(Zero),
+    possible_(mesh.nGeometricD() == 2)
+{
+    if (!possible_)
+    {
+        return;
+    }
+
+    const labelPair axes(planarCells::axes(mesh));
+    i0_ = axes.first();
+    i1_ = axes.second();
+    meshTools::constrainToMeshCentre(mesh, middle_);
+
+    boolList side(mesh.nFaces(), true);
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (isA<emptyPolyPatch>(pp))
+        {
+            forAll(pp, i)
+            {
+                side[pp.start() + i] = false;
+            }
+        }
+    }
+
+    DynamicList<edgeOfCell> edges;
+    forAll(centres_, celli)
+    {
+        centres_[celli] = inPlane(mesh.cellCentres()[celli]);
+        for (const label facei : mesh.cells()[celli])
+        {
+            edgeOfCell e;
+            if (side[facei])
+            {
+                possible_ = possible_ && setEdge(celli, facei, e);
+                edges.append(e);
+            }
+        }
+        start_[celli + 1] = edges.size();
+    }
+    edges_.transfer(edges);
+
+    reduce(possible_, andOp<bool>());
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::planarWalk::step
+(
+    materialPoint& p,
+    const materialPoint::trackingData& td
+) const
+{
+    const pointIntegration& scheme = td.integration;
+    const label n = scheme.nStages();
+
+    const point start(p.position());
+    point x(start);
+    x[3 - i0_ - i1_] = middle_[3 - i0_ - i1_];
+    label celli = p.cell();
+
+    // Parts of the step, as materialPoint::move has them
+    scalar begin = 0;
+    while (begin < 1 - 1e-10)
+    {
+        const scalar parts = std::ceil((1 - begin)*td.courant[celli]);
+        if (!(parts < mostEdges))
+        {
+            return false;
+        }
+        const scalar part = (1 - begin)/max(parts, scalar(1));
+
+        const point origin(x);
+        vector sum(Zero);
+        for (label stage = 0; stage < n; ++stage)
+        {
+            const vector U(td.velocity.value(x, celli));
+            sum += scheme.b(stage)*U;
+
+            const vector way
+            (
+                part*td.dt*(stage < n - 1 ? scheme.a(stage)*U : sum)
+            );
+            if (!std::isfinite(mag(way)))
+            {
+                return false;
+            }
+
+            point next(origin);
+            next[i0_] += way[i0_];
+            next[i1_] += way[i1_];
+            if (!walk(celli, inPlane(x), inPlane(next)))
+            {
+                return false;
+            }
+            x = next;
+        }
+        begin += part;
+    }
+
+    // Resting points keep their bits
+    const place moved = {x[i0_] - start[i0_], x[i1_] - start[i1_]};
+    if (sqr(moved.x) + sqr(moved.y) > sqr(td.nothing))
+    {
+        put(p, celli, inPlane(x));
+    }
+
+    return true;
+}
+
+
+// ************************************************************************* //
