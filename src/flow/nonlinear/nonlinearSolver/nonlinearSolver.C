@@ -29,6 +29,14 @@ License
 //- steps that foresee it are shortened so much that they get nowhere
 static const Foam::scalar nearby = 1e-3;
 
+//- Steps after which the shape of what corners resist stays: it follows
+//- rounded viscosities, so in jumps
+static const Foam::label cornersFollow = 3;
+
+//- How often gradients look at the viscosities where those jump, which they
+//- follow: what is left of the way makes residuals depend on the way
+static const Foam::label mostGradients = 8;
+
 //- Share of the fall that the linear problem foresees with which a step is
 //- content, share of the work at its start that may be left against it, and
 //- how often it is shortened
@@ -68,7 +76,7 @@ void Foam::nonlinearSolver::evaluate
     }
     while
     (
-        (looks < 2 && system_.coefficients().anyJump())
+        (looks < mostGradients && system_.coefficients().anyJump())
      || (looks < mostLooks && frictionOff_ > settled)
     );
 }
@@ -284,6 +292,7 @@ void Foam::nonlinearSolver::solveOne
 )
 {
     scalarField r;
+    system_.holdCorners(false);
     evaluate(x, s, r);
     result.final = solver_.relative(r);
     if (result.iterations == 0)
@@ -292,8 +301,9 @@ void Foam::nonlinearSolver::solveOne
     }
 
     control_.start();
-    while (control_.goOn(whole(result.final)))
+    for (label n = 1; control_.goOn(whole(result.final)); ++n)
     {
+        system_.holdCorners(n > cornersFollow);
         result.iterations += step(x, s, r);
         result.final = solver_.relative(r);
     }
@@ -349,6 +359,7 @@ Foam::flexibleGMRES::performance Foam::nonlinearSolver::solve
     }
     friction_.start();
     carried_ = false;
+    system_.holdCorners(false);
     system_.update();
     if (friction_.active())
     {
