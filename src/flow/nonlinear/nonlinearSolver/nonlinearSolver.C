@@ -34,8 +34,10 @@ static const Foam::scalar nearby = 1e-3;
 static const Foam::label cornersFollow = 3;
 
 //- How often gradients look at the viscosities where those jump, which they
-//- follow: what is left of the way makes residuals depend on the way
-static const Foam::label mostGradients = 8;
+//- follow: in one material, and in several, between which jumps are large, so
+//- that what is left of the way would make residuals depend on it
+static const Foam::label looksOfOne = 2;
+static const Foam::label looksOfMany = 8;
 
 //- Share of the fall that the linear problem foresees with which a step is
 //- content, share of the work at its start that may be left against it, and
@@ -62,6 +64,8 @@ void Foam::nonlinearSolver::evaluate
     // For the gradients, then with the viscosities that they make; again where
     // gradients follow jumps of them
     system_.residual(x, true, s, r);
+    const label mostGradients =
+        materials_.size() > 1 ? looksOfMany : looksOfOne;
     label looks = 0;
     do
     {
