@@ -11,6 +11,8 @@ from cosserat.finiteElements import (Flow, Mesh, Wall, between, graded_lines,
                                      lines)
 from cosserat.finiteElements.relatives import relative_values
 from cosserat.finiteElements.silo import silo_rate
+from cosserat.finiteElements.yielding import BinghamFlow
+from cosserat.yielding import layer_stress
 
 MATERIAL = Material(1.0, 2.0, 0.2)
 
@@ -75,6 +77,16 @@ def test_layer_of_given_traction():
     assert flow.u[:, 0] == pytest.approx(exact.u(y) - exact.u(-0.5), abs=1e-6)
     force, _ = flow.wall_load(lambda x, y: y < -0.49)
     assert force == pytest.approx([-1, 0], abs=1e-9)
+
+
+def test_layer_that_yields():
+    """Its limit stress, less what plastic viscosity and small rate add."""
+    mesh = Mesh.tensor(np.linspace(0, 1, 4), np.linspace(-0.5, 0.5, 25),
+                       periodic=(1, 0))
+    flow = BinghamFlow(mesh, 3, tauY=1, eps=1e-4, eta=1e-4, etaC=1e-4, M=2e-6,
+                       walls=[Wall(at_walls, u=(lambda x, y: y, 0), omega=0)])
+    force, _ = flow.wall_load(lambda x, y: y > 0.49)
+    assert force[0] == pytest.approx(layer_stress(10), rel=1e-3)
 
 
 def circle(r):

@@ -5,11 +5,12 @@ import pytest
 
 from cosserat import yielding
 from cosserat.scenes import plug
+from cosserat.scenes.axial import AxialCase
 from cosserat.scenes.box import Box
 from cosserat.scenes.yielding import entries
 
 #: Shear layer of unit height and viscosity, whose top may slide; no load in y
-STILL = ("type noSlip;", "type zeroGradient;")
+STILL = ("type noSlip;", "type zeroGradient;", "type zeroGradient;")
 FREE = {"type": "coulombFriction", "mu": 0, "slipVelocity": 1e-3,
         "value": "uniform (0 0 0)"}
 ROLL = {"type": "rollingFriction", "mu": 0.3, "slipRate": 1e-7,
@@ -73,6 +74,30 @@ def test_janssen(tmp_path):
     power = case.table("power", "powerBalance.dat")[-1]
     assert abs(power[-1]/power[2] - 1) < 1e-3
     assert abs(power[6]) < 1e-6
+
+
+@pytest.mark.parametrize("mu, bound", [(0.3, 2.2e-2), (0.03, 2.6e-4)])
+def test_janssen_in_a_round_bin(tmp_path, mu, bound):
+    """As between planes, one cell from the axis to the wall: walls and bottom bear
+    the weight. The pressure is Janssen's, which has one pressure at a depth, but
+    for the square of mu: it falls towards the wall."""
+    depth = 1.5/mu
+    friction = {"type": "coulombFriction", "mu": mu, "adhesion": 0,
+                "slipVelocity": plug.CREEP, "velocity": "uniform (1 0 0)",
+                "value": "uniform (0 0 0)"}
+    case = AxialCase(
+        tmp_path/"case", lambda s, t: (depth*(s - 1), t), (100, 1), {
+            "top": (entries(friction), *2*["type zeroGradient;"]),
+            "left": STILL, "right": (
+                "type zeroGradient;", "type prghPressure; p uniform 0;",
+                "type zeroGradient;")},
+        {"a": {"eta": 1e3, "etaC": 0, "R": 0, "rho": 1}}, g=(-1, 0, 0))
+    case.run("cosseratPicFoam")
+    z = -case.middles()[0]
+    p = case.field("p")/yielding.janssen(z, mu)
+    assert np.abs(p - 1)[z > 0.2*depth].max() < bound
+    whole = sum(loads(case, side)[0][0] for side in ("top", "left"))
+    assert abs(whole/(np.pi*depth) + 1) < 1e-8
 
 
 @pytest.mark.parametrize("length, rolls", [(1e-3, True), (10, False)])

@@ -7,7 +7,10 @@ import pytest
 
 from cosserat.case import Case, TUTORIALS, residuals
 from cosserat.picture import outflow
-from cosserat.scenes.silo import COARSE
+from cosserat.references import SILO, SILO_SCENES, SILO_YIELD
+from cosserat.scenes.silo import COARSE, prepare, rate
+from cosserat.scenes.siloYield import give_yield
+from cosserat.scenes.yielding import steps
 
 
 @pytest.fixture(name="discharges", scope="module")
@@ -79,6 +82,21 @@ def test_every_step_converges(discharges):
         assert max(row[3] for row in rows) <= 75
         assert np.mean([row[3] for row in rows]) < 43
         assert max(row[2] for row in rows) <= 1e-6
+
+
+def test_a_yield_stress_slows_it(tutorial):
+    """On 8 cells by as much as finite elements say, to a per cent of the rate;
+    the rates are as much too fast as the viscous one."""
+    scene = SILO_SCENES["start, 2/3"]
+    case = give_yield(prepare(tutorial("silo"), scene, 8), 1e6)
+    log = case.run("cosseratPicFoam").stdout
+    assert steps(log.split("\nTime = ")[0])["nonlinear"] <= 8
+    found = rate(case)/SILO_YIELD.value
+    assert found == pytest.approx(1.037, abs=4e-3)
+    viscous = prepare(tutorial("silo", "viscous"), scene, 8)
+    viscous.run("cosseratPicFoam")
+    assert found == pytest.approx(
+        rate(viscous)/SILO["start, 2/3"].value, abs=1e-2)
 
 
 def short(tutorial, target, method=None, **control):

@@ -80,6 +80,12 @@ def _rates(rows):
             for name, value, uncertainty in rows}
 
 
+#: The same at the start, alpha = 2/3, of a fill that yields at 1e6 Pa, law bingham
+#: with etaP = eta, regularisation of Bercovier and Engelman, eps = 10 1/s
+SILO_YIELD = Reference(
+    6200.0, "m2/s", 3.0, "finite elements of degree 3 and 4, rings down to 1e-40 of"
+    " a cell: cosserat.finiteElements.silo, silo_rate(scene, 4, tauY=1e6)")
+
 #: Volume that leaves through the aperture in a time: the limit of ever finer
 #: rings. Where the surface of a soft medium ends in a corner of free-slip
 #: walls, velocity goes with r^0.012, and rings down to 1e-20 of a cell still

@@ -24,6 +24,17 @@ class Channel:
         return quad(lambda z: self.rate(self.G*z), abs(y), self.h,
                     epsabs=1e-14, epsrel=1e-12, limit=400)[0]
 
+    def on_cells(self, n):
+        """What n equal cells across make of the flow rate: rates are exact at
+        faces, where the stress is, and stand for all between two centres; at
+        walls the stress is that halfway to the centre. So what a plug's edge on a
+        face misses is the square of a quarter cell."""
+        cell = 2*self.h/n
+        steps = [0.5*cell*self.rate(self.G*(self.h - 0.25*cell))]
+        steps += [cell*self.rate(self.G*y)
+                  for y in cell*np.arange(n//2 - 1, 0, -1)]
+        return 2*cell*float(np.cumsum(steps).sum())
+
     def flow(self):
         """Flow rate of the whole width: integral of u, by parts."""
         return 2*quad(lambda z: z*self.rate(self.G*z), 0, self.h,

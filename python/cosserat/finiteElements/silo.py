@@ -1,10 +1,13 @@
 """The silo at rest by finite elements: one half of it, mirrored at x = 0."""
 
+from functools import partial
+
 import numpy as np
 
 from cosserat.references import Silo
 from cosserat.finiteElements.flow import Flow, Wall
 from cosserat.finiteElements.mesh import Mesh, lines
+from cosserat.finiteElements.yielding import BinghamFlow
 
 
 def silo_mesh(scene, size=0.5, smallest=1e-8, contact=1e-40, ratio=0.2):
@@ -28,8 +31,9 @@ def silo_mesh(scene, size=0.5, smallest=1e-8, contact=1e-40, ratio=0.2):
     return mesh.grade([lips[1], (2.75, 5), (2.75, -floor)], smallest, ratio)
 
 
-def silo_flow(scene, degree=3, **mesh):
-    """Solution for a scene."""
+def silo_flow(scene, degree=3, tauY=0, eps=10.0, **mesh):
+    """Solution for a scene; tauY: yield stress of the fill, with the small rate
+    eps."""
     bottom = -scene.floor if scene.filled else 0.0
 
     def inside(x, y):
@@ -45,7 +49,10 @@ def silo_flow(scene, degree=3, **mesh):
         walls.append(Wall(
             lambda x, y: (x > 1e-9) & (x < 3.7) & (y > -3.9) & (y < 5.9),
             u=(0, 0), omega=0))
-    return Flow(silo_mesh(scene, **mesh), degree,
+    flow = Flow
+    if tauY:
+        flow = partial(BinghamFlow, tauY=fill(tauY), eps=eps)
+    return flow(silo_mesh(scene, **mesh), degree,
                 eta=fill(Silo.ETA, scene.background),
                 etaC=fill(scene.etaC), M=fill(scene.M),
                 force=(0, fill(-Silo.WEIGHT)), walls=walls)

@@ -136,7 +136,8 @@ Foam::cornerModel::cornerModel
     wallMotion_(corners_.size(), FixedList<scalar, 3>(scalar(0))),
     anyShared_(false),
     anyHolds_(false),
-    rounded_(corners_.size())
+    rounded_(corners_.size()),
+    held_(false)
 {
     forAll(corners_, i)
     {
@@ -401,6 +402,10 @@ void Foam::cornerModel::setMaterials
         }
 
         weight_[i] = (compressible ? 0.0 : 1.0)*sqrt(W);
+        if (held_)
+        {
+            continue;
+        }
         rounded_[i] = sectors;
         const word name(round(i, rounded_[i]));
         const auto iter = known_.cfind(name);

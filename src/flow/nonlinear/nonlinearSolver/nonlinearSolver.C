@@ -29,6 +29,16 @@ License
 //- steps that foresee it are shortened so much that they get nowhere
 static const Foam::scalar nearby = 1e-3;
 
+//- Steps after which the shape of what corners resist stays: it follows
+//- rounded viscosities, so in jumps
+static const Foam::label cornersFollow = 3;
+
+//- How often gradients look at the viscosities where those jump, which they
+//- follow: in one material, and in several, between which jumps are large, so
+//- that what is left of the way would make residuals depend on it
+static const Foam::label looksOfOne = 2;
+static const Foam::label looksOfMany = 8;
+
 //- Share of the fall that the linear problem foresees with which a step is
 //- content, share of the work at its start that may be left against it, and
 //- how often it is shortened
@@ -54,6 +64,8 @@ void Foam::nonlinearSolver::evaluate
     // For the gradients, then with the viscosities that they make; again where
     // gradients follow jumps of them
     system_.residual(x, true, s, r);
+    const label mostGradients =
+        materials_.size() > 1 ? looksOfMany : looksOfOne;
     label looks = 0;
     do
     {
@@ -68,7 +80,7 @@ void Foam::nonlinearSolver::evaluate
     }
     while
     (
-        (looks < 2 && system_.coefficients().anyJump())
+        (looks < mostGradients && system_.coefficients().anyJump())
      || (looks < mostLooks && frictionOff_ > settled)
     );
 }
@@ -284,6 +296,7 @@ void Foam::nonlinearSolver::solveOne
 )
 {
     scalarField r;
+    system_.holdCorners(false);
     evaluate(x, s, r);
     result.final = solver_.relative(r);
     if (result.iterations == 0)
@@ -292,8 +305,9 @@ void Foam::nonlinearSolver::solveOne
     }
 
     control_.start();
-    while (control_.goOn(whole(result.final)))
+    for (label n = 1; control_.goOn(whole(result.final)); ++n)
     {
+        system_.holdCorners(n > cornersFollow);
         result.iterations += step(x, s, r);
         result.final = solver_.relative(r);
     }
@@ -349,6 +363,7 @@ Foam::flexibleGMRES::performance Foam::nonlinearSolver::solve
     }
     friction_.start();
     carried_ = false;
+    system_.holdCorners(false);
     system_.update();
     if (friction_.active())
     {
