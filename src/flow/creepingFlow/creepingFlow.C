@@ -112,7 +112,7 @@ void Foam::creepingFlow::checkControls() const
         {
             "tolerance", "maxIter", "nDirections", "notConverged",
             "preconditioner", "freeSurfaceStabilisation", "corners", "forced",
-            "nonlinear", "stop", "discretisationCoeffs"
+            "nonlinear"
         }
     );
 }
@@ -268,7 +268,6 @@ Foam::creepingFlow::creepingFlow(materialFields& materials)
         materials, system_, boundary_, preconditioner_(), motions_, solver_,
         controls_.subOrEmptyDict("nonlinear"), goOn_
     ),
-    stop_(system_, materials, controls_),
     state_(system_.newState()),
     nChanges_(0),
     nUnconverged_(0),
@@ -348,33 +347,6 @@ void Foam::creepingFlow::updateSystem()
 }
 
 
-void Foam::creepingFlow::solveLinear()
-{
-    performance_ = solver_.solve(x_, state_, &stop_);
-    if (!stop_.active())
-    {
-        return;
-    }
-
-    const auto estimate = [&]()
-    {
-        fields_.unpack(system_, boundary_, x_, state_);
-        stop_.estimate(gradU(), power().dissipated());
-    };
-
-    const bool known = stop_.known();
-    estimate();
-    if (!known && performance_.converged)
-    {
-        const flexibleGMRES::performance first(performance_);
-        performance_ = solver_.solve(x_, state_, &stop_);
-        performance_.iterations += first.iterations;
-        performance_.initial = first.initial;
-        estimate();
-    }
-}
-
-
 void Foam::creepingFlow::solveOnce()
 {
     if (system_.followsFlow())
@@ -393,7 +365,7 @@ void Foam::creepingFlow::solveOnce()
         updateSystem();
         checkLoads();
         fields_.pack(system_, x_);
-        solveLinear();
+        performance_ = solver_.solve(x_, state_);
     }
     // Also without iterations: patch fields wait for it to take new values
     fields_.unpack(system_, boundary_, x_, state_);

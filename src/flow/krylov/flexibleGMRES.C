@@ -23,6 +23,7 @@ License
 
 #include "flexibleGMRES.H"
 #include "openfoamVersion.H"
+#include "RectangularMatrix.H"
 #include "PstreamReduceOps.H"
 #include "ListOps.H"
 #include <cmath>
@@ -144,35 +145,13 @@ Foam::scalar Foam::flexibleGMRES::orthogonalise
 }
 
 
-Foam::scalarList Foam::flexibleGMRES::coefficients
-(
-    const scalarRectangularMatrix& R,
-    const UList<scalar>& g,
-    const label k
-)
-{
-    scalarList y(SubList<scalar>(g, k));
-    for (label i = k - 1; i >= 0; --i)
-    {
-        for (label j = i + 1; j < k; ++j)
-        {
-            y[i] -= R(i, j)*y[j];
-        }
-        y[i] /= R(i, i);
-    }
-
-    return y;
-}
-
-
 Foam::label Foam::flexibleGMRES::cycle
 (
     scalarField& x,
     const scalarField& r,
     const scalar target,
     const label maxIter,
-    operatorState& s,
-    discretisationStop* stop
+    operatorState& s
 )
 {
     const label m = min(nDirections_, maxIter);
@@ -185,8 +164,6 @@ Foam::label Foam::flexibleGMRES::cycle
     const scalar beta = Foam::sqrt(gSumSqr(r));
     v_[0] = r/beta;
     g[0] = beta;
-
-    scalarField before(stop ? x.size() : 0, Zero);
 
     label k = 0;
     while (k < m && mag(g[k]) > target)
@@ -227,19 +204,17 @@ Foam::label Foam::flexibleGMRES::cycle
             R(i, k) = h[i];
         }
         ++k;
-
-        if (stop && stop->due(k, mag(g[k])))
-        {
-            scalarField now(x.size(), Zero);
-            z_.add(coefficients(R, g, k), now);
-            if (stop->met(now - before, s))
-            {
-                break;
-            }
-            before = now;
-        }
     }
-    z_.add(coefficients(R, g, k), x);
+
+    for (label i = k - 1; i >= 0; --i)
+    {
+        for (label j = i + 1; j < k; ++j)
+        {
+            g[i] -= R(i, j)*g[j];
+        }
+        g[i] /= R(i, i);
+    }
+    z_.add(SubList<scalar>(g, k), x);
 
     return k;
 }
@@ -284,8 +259,7 @@ Foam::flexibleGMRES::flexibleGMRES
 Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
 (
     scalarField& x,
-    operatorState& s,
-    discretisationStop* stop
+    operatorState& s
 )
 {
     scalarField r;
@@ -310,24 +284,12 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
     scalar residual = Foam::sqrt(gSumSqr(r))/reference;
     result.initial = norms(r, reference);
 
-    const scalar wanted = stop ? stop->tolerance(tolerance_) : tolerance_;
-    discretisationStop* looks = stop && stop->known() ? stop : nullptr;
-    if (looks)
-    {
-        looks->start(reference);
-    }
-    bool stopped = false;
-
-    while
-    (
-        residual > wanted && !stopped && result.iterations < maxIter_
-    )
+    while (residual > tolerance_ && result.iterations < maxIter_)
     {
         const label done = cycle
         (
-            x, r, 0.9*wanted*reference, maxIter_ - result.iterations, s, looks
+            x, r, 0.9*tolerance_*reference, maxIter_ - result.iterations, s
         );
-        stopped = looks && looks->stopped();
         result.iterations += done;
 
         weightedResidual(x, true, s, r);
@@ -340,7 +302,7 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
     }
 
     result.final = norms(r, reference);
-    result.converged = residual <= wanted || stopped;
+    result.converged = residual <= tolerance_;
 
     // A reference beyond range leaves zeros
     if (!std::isfinite(residual))
