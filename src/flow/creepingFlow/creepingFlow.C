@@ -85,9 +85,9 @@ bool Foam::creepingFlow::readCorners() const
             << "    Allowed: automatic, off" << exit(FatalIOError);
     }
 
-    // The singular flow at a corner is known for given walls alone. Rates have no
-    // bound at it, so that media beyond their yield stress flow there as if they
-    // had none
+    // The singular flow at a corner is known for given walls alone. Rates have
+    // no bound at it, so that media beyond their yield stress flow there as if
+    // they had none
     return choice == "automatic" && !boundary_.frictional();
 }
 
