@@ -26,7 +26,7 @@ License
 #include "processorPolyPatch.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
-#include "wedgeFvPatch.H"
+#include "oneLayer.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -107,7 +107,7 @@ Foam::haloExchange::haloExchange
     start_(mesh.boundary().size()),
     size_(mesh.nCells())
 {
-    DynamicList<label> coupled, processor;
+    DynamicList<label> patches, coupled, processor;
     DynamicList<labelList> cells;
     DynamicList<List<tensor2D>> rotation;
 
@@ -116,7 +116,11 @@ Foam::haloExchange::haloExchange
         const fvPatch& patch = mesh.boundary()[patchi];
 
         start_[patchi] = size_;
-        size_ += isA<wedgeFvPatch>(patch) ? 0 : patch.size();
+        if (!oneLayer::isPlane(patch.patch()))
+        {
+            patches.append(patchi);
+            size_ += patch.size();
+        }
 
         if (patch.coupled())
         {
@@ -148,6 +152,7 @@ Foam::haloExchange::haloExchange
         }
     }
 
+    patches_.transfer(patches);
     coupled_.transfer(coupled);
     processor_.transfer(processor);
     cells_.transfer(cells);

@@ -135,6 +135,12 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+bool Foam::oneLayer::isPlane(const polyPatch& pp)
+{
+    return isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp);
+}
+
+
 void Foam::oneLayer::check(const polyMesh& mesh, const direction normal)
 {
     List<labelPair> faces(mesh.nCells(), labelPair(-1, -1));
@@ -143,7 +149,7 @@ void Foam::oneLayer::check(const polyMesh& mesh, const direction normal)
 
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
+        if (isPlane(pp))
         {
             forAll(pp, i)
             {

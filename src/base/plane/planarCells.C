@@ -22,10 +22,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "planarCells.H"
-#include "emptyPolyPatch.H"
 #include "meshTools.H"
+#include "oneLayer.H"
 #include "volFields.H"
-#include "wedgePolyPatch.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -38,7 +37,7 @@ Foam::planarCells::planarCells(const fvMesh& mesh)
 {
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(pp) || isA<wedgePolyPatch>(pp))
+        if (oneLayer::isPlane(pp))
         {
             forAll(pp, i)
             {

@@ -22,7 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cellLinks.H"
-#include "wedgeFvPatch.H"
+#include "oneLayer.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -49,8 +49,7 @@ Foam::cellLinks::cellLinks(const fvMesh& mesh, const planarFrame& frame)
 
     for (const fvPatch& patch : mesh.boundary())
     {
-        // The planes of a wedge, between which the flow is
-        if (isA<wedgeFvPatch>(patch))
+        if (oneLayer::isPlane(patch.patch()))
         {
             continue;
         }

@@ -24,6 +24,7 @@ License
 #include "wallLoad.H"
 #include "checkedEntry.H"
 #include "creepingFlow.H"
+#include "oneLayer.H"
 #include "openfoamVersion.H"
 #include "wordRes.H"
 #include "addToRunTimeSelectionTable.H"
@@ -70,11 +71,7 @@ Foam::labelList Foam::functionObjects::wallLoad::physical() const
     DynamicList<label> patches;
     for (const fvPatch& patch : mesh_.boundary())
     {
-        if
-        (
-            !patch.coupled() && patch.type() != "empty"
-         && patch.type() != "wedge"
-        )
+        if (!patch.coupled() && !oneLayer::isPlane(patch.patch()))
         {
             patches.append(patch.index());
         }

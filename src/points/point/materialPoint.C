@@ -54,10 +54,8 @@ void Foam::materialPoint::startPart(const scalar begin, const scalar courant)
         lost("the way of its step is more than a million cells");
     }
 
-    // More than a cell of a flow that turns within cells, as at corners, is
-    // too far: points gather there
     begin_ = begin;
-    part_ = left/max(std::ceil(left*courant), scalar(1));
+    part_ = partOf(left, courant);
     stage_ = -1;
     travelled_ = Zero;
     sum_ = Zero;

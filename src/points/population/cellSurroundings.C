@@ -23,7 +23,7 @@ License
 
 #include "cellSurroundings.H"
 #include "coupledPolyPatch.H"
-#include "emptyPolyPatch.H"
+#include "oneLayer.H"
 #include "meshTools.H"
 #include "syncTools.H"
 #include "volFields.H"
@@ -92,7 +92,7 @@ Foam::cellSurroundings::cellSurroundings(const fvMesh& mesh)
 
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(pp))
+        if (oneLayer::isPlane(pp))
         {
             forAll(pp, i)
             {

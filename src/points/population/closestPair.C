@@ -23,7 +23,6 @@ License
 
 #include "closestPair.H"
 #include "cellSurroundings.H"
-#include "materialPoint.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -31,11 +30,10 @@ Foam::scalar Foam::closestPair::lost(const label i, const label j) const
 {
     const materialPoint& a = *points_[i];
     const materialPoint& b = *points_[j];
-    const scalar volume = a.volume() + b.volume();
 
     return
-        volume <= largest_ && a.material() == b.material() && a.dye() == b.dye()
-      ? a.volume()*b.volume()/volume*magSqr(places_[i] - places_[j])
+        a.volume() + b.volume() <= largest_ && sameKind(a, b)
+      ? spread(a, b, magSqr(places_[i] - places_[j]))
       : GREAT;
 }
 

@@ -30,19 +30,6 @@ License
 
 namespace Foam
 {
-    static bool sameKind(const materialPoint& a, const materialPoint& b)
-    {
-        return a.material() == b.material() && a.dye() == b.dye();
-    }
-
-    //- What the second moment of two points loses where they are merged
-    static scalar spread(const materialPoint& a, const materialPoint& b)
-    {
-        return
-            a.volume()*b.volume()/(a.volume() + b.volume())
-           *magSqr(a.position() - b.position());
-    }
-
     //- Of other points the one to merge with: by least spread, of the same
     //- kind, or of the same material only; null: none
     static materialPoint* partner
@@ -62,11 +49,14 @@ namespace Foam
              && (
                     anyDye
                   ? other->material() == p.material()
-                  : sameKind(*other, p)
+                  : closestPair::sameKind(*other, p)
                 )
             )
             {
-                const scalar s = spread(p, *other);
+                const scalar s = closestPair::spread
+                (
+                    p, *other, magSqr(p.position() - other->position())
+                );
                 if (cellSurroundings::more*s < least)
                 {
                     least = s;

@@ -25,7 +25,7 @@ License
 #include "planarCells.H"
 #include "pointVelocity.H"
 #include "pointIntegration.H"
-#include "emptyPolyPatch.H"
+#include "oneLayer.H"
 #include "tetIndices.H"
 #include "meshTools.H"
 #include <cmath>
@@ -49,7 +49,7 @@ bool Foam::planarWalk::setHalf
 (
     const label celli,
     const label facei,
-    const place& end,
+    const vector2D& end,
     half& h
 ) const
 {
@@ -68,8 +68,8 @@ bool Foam::planarWalk::setHalf
         label nHere = 0;
         forAll(tri, i)
         {
-            const place q(inPlane(points[tri[i]]));
-            here[i] = mag(q.x - end.x) + mag(q.y - end.y) < near;
+            const vector2D q(inPlane(points[tri[i]]) - end);
+            here[i] = mag(q.x()) + mag(q.y()) < near;
             front[i] = points[tri[i]][normal] > middle_[normal];
             nHere += here[i];
         }
@@ -104,7 +104,7 @@ bool Foam::planarWalk::setEdge
     const scalar near = flat*mesh_.bounds().mag();
 
     // Its ends are what two corners on the same side of the plane are
-    List<place> ends;
+    DynamicList<vector2D> ends(2);
     scalar depths = 0;
     for (const label pointi : f)
     {
@@ -120,10 +120,9 @@ bool Foam::planarWalk::setEdge
         return false;
     }
 
-    const place& c = centres_[celli];
-    place a = {ends[0].x - c.x, ends[0].y - c.y};
-    place b = {ends[1].x - c.x, ends[1].y - c.y};
-    scalar twoA = a.x*b.y - a.y*b.x;
+    const vector2D& c = centres_[celli];
+    vector2D a(ends[0] - c), b(ends[1] - c);
+    scalar twoA = a.x()*b.y() - a.y()*b.x();
     if (twoA < 0)
     {
         Swap(a, b);
@@ -135,8 +134,8 @@ bool Foam::planarWalk::setEdge
         return false;
     }
 
-    e.a = {b.y/twoA, -b.x/twoA};
-    e.b = {-a.y/twoA, a.x/twoA};
+    e.a = vector2D(b.y()/twoA, -b.x()/twoA);
+    e.b = vector2D(-a.y()/twoA, a.x()/twoA);
     e.face = facei;
     e.beyond = -1;
     if (mesh_.isInternalFace(facei))
@@ -154,13 +153,12 @@ bool Foam::planarWalk::setEdge
 Foam::label Foam::planarWalk::exitEdge
 (
     const label celli,
-    const place& from,
-    const place& to
+    const vector2D& from,
+    const vector2D& to
 ) const
 {
-    const place& c = centres_[celli];
-    const place d = {from.x - c.x, from.y - c.y};
-    const place way = {to.x - from.x, to.y - from.y};
+    const vector2D& c = centres_[celli];
+    const vector2D d(from - c), way(to - from);
 
     label leaves = -1;
     scalar first = GREAT;
@@ -168,15 +166,15 @@ Foam::label Foam::planarWalk::exitEdge
     for (label i = start_[celli]; i < start_[celli + 1]; ++i)
     {
         const edgeOfCell& e = edges_[i];
-        const scalar a = e.a.x*way.x + e.a.y*way.y;
-        const scalar b = e.b.x*way.x + e.b.y*way.y;
+        const scalar a = e.a & way;
+        const scalar b = e.b & way;
         if (a + b <= 0)
         {
             continue;
         }
 
-        const scalar atA = e.a.x*d.x + e.a.y*d.y;
-        const scalar atB = e.b.x*d.x + e.b.y*d.y;
+        const scalar atA = e.a & d;
+        const scalar atB = e.b & d;
         const scalar t = (1 - atA - atB)/(a + b);
 
         // Of edges that the way meets at once, as in a row with hanging nodes
@@ -198,21 +196,21 @@ Foam::label Foam::planarWalk::exitEdge
 bool Foam::planarWalk::walk
 (
     label& celli,
-    const place& from,
-    const place& to
+    const vector2D& from,
+    const vector2D& to
 ) const
 {
     for (label n = 0; n < mostEdges; ++n)
     {
-        const place& c = centres_[celli];
-        const place d = {to.x - c.x, to.y - c.y};
+        const vector2D& c = centres_[celli];
+        const vector2D d(to - c);
 
         bool inside = true, atWall = false;
         for (label i = start_[celli]; i < start_[celli + 1]; ++i)
         {
             const edgeOfCell& e = edges_[i];
-            const scalar a = e.a.x*d.x + e.a.y*d.y;
-            const scalar b = e.b.x*d.x + e.b.y*d.y;
+            const scalar a = e.a & d;
+            const scalar b = e.b & d;
             if (e.beyond < 0)
             {
                 atWall = atWall || a + b > 1 - touching;
@@ -244,11 +242,11 @@ void Foam::planarWalk::put
 (
     materialPoint& p,
     const label celli,
-    const place& at
+    const vector2D& at
 ) const
 {
-    const place& c = centres_[celli];
-    const place d = {at.x - c.x, at.y - c.y};
+    const vector2D& c = centres_[celli];
+    const vector2D d(at - c);
 
     // The triangle that holds it, or the nearest by rounding
     label in = start_[celli];
@@ -256,8 +254,8 @@ void Foam::planarWalk::put
     for (label i = start_[celli]; i < start_[celli + 1]; ++i)
     {
         const edgeOfCell& e = edges_[i];
-        const scalar a = e.a.x*d.x + e.a.y*d.y;
-        const scalar b = e.b.x*d.x + e.b.y*d.y;
+        const scalar a = e.a & d;
+        const scalar b = e.b & d;
         if (min(a, b) > best)
         {
             best = min(a, b);
@@ -309,7 +307,7 @@ Foam::planarWalk::planarWalk(const polyMesh& mesh)
     boolList side(mesh.nFaces(), true);
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(pp))
+        if (oneLayer::isPlane(pp))
         {
             forAll(pp, i)
             {
@@ -355,16 +353,14 @@ bool Foam::planarWalk::step
     x[3 - i0_ - i1_] = middle_[3 - i0_ - i1_];
     label celli = p.cell();
 
-    // Parts of the step, as materialPoint::move has them
     scalar begin = 0;
     while (begin < 1 - 1e-10)
     {
-        const scalar parts = std::ceil((1 - begin)*td.courant[celli]);
-        if (!(parts < mostEdges))
+        if (!(std::ceil((1 - begin)*td.courant[celli]) < mostEdges))
         {
             return false;
         }
-        const scalar part = (1 - begin)/max(parts, scalar(1));
+        const scalar part = materialPoint::partOf(1 - begin, td.courant[celli]);
 
         const point origin(x);
         vector sum(Zero);
@@ -395,8 +391,7 @@ bool Foam::planarWalk::step
     }
 
     // Resting points keep their bits
-    const place moved = {x[i0_] - start[i0_], x[i1_] - start[i1_]};
-    if (sqr(moved.x) + sqr(moved.y) > sqr(td.nothing))
+    if (magSqr(inPlane(x) - inPlane(start)) > sqr(td.nothing))
     {
         put(p, celli, inPlane(x));
     }

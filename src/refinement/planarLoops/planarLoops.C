@@ -22,7 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "planarLoops.H"
-#include "emptyPolyPatch.H"
+#include "oneLayer.H"
 #include "planarCells.H"
 #include "unitConversion.H"
 
@@ -75,7 +75,7 @@ void Foam::planarLoops::findEmptyFaces(const boolList& isBack)
 {
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (isA<emptyPolyPatch>(pp))
+        if (oneLayer::isPlane(pp))
         {
             forAll(pp, i)
             {

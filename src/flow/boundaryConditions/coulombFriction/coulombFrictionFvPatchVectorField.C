@@ -24,7 +24,6 @@ License
 #include "coulombFrictionFvPatchVectorField.H"
 #include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
-#include "fvPatchFieldMapper.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -74,12 +73,7 @@ coulombFrictionFvPatchVectorField
     (
         checkedEntry::positive("slipVelocity", dimVelocity, dict).value()
     ),
-    velocity_
-    (
-        dict.found("velocity")
-      ? PatchFunction1<vector>::New(p.patch(), "velocity", dict)
-      : autoPtr<PatchFunction1<vector>>()
-    )
+    velocity_(p.patch(), "velocity", dict, false)
 {
     if (dict.found("value"))
     {
@@ -105,14 +99,8 @@ coulombFrictionFvPatchVectorField
     mu_(ptf.mu_),
     adhesion_(ptf.adhesion_),
     slipVelocity_(ptf.slipVelocity_),
-    velocity_()
-{
-    if (ptf.velocity_)
-    {
-        velocity_ = ptf.velocity_.clone(p.patch());
-        velocity_->autoMap(mapper);
-    }
-}
+    velocity_(ptf.velocity_, p.patch(), mapper)
+{}
 
 
 Foam::coulombFrictionFvPatchVectorField::
@@ -126,13 +114,8 @@ coulombFrictionFvPatchVectorField
     mu_(ptf.mu_),
     adhesion_(ptf.adhesion_),
     slipVelocity_(ptf.slipVelocity_),
-    velocity_()
-{
-    if (ptf.velocity_)
-    {
-        velocity_ = ptf.velocity_.clone(this->patch().patch());
-    }
-}
+    velocity_(ptf.velocity_, this->patch().patch())
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -140,10 +123,7 @@ coulombFrictionFvPatchVectorField
 Foam::tmp<Foam::vectorField>
 Foam::coulombFrictionFvPatchVectorField::velocity() const
 {
-    return
-        velocity_
-      ? velocity_->value(db().time().timeOutputValue())
-      : tmp<vectorField>(new vectorField(size(), Zero));
+    return velocity_.value(*this);
 }
 
 
@@ -153,10 +133,7 @@ void Foam::coulombFrictionFvPatchVectorField::autoMap
 )
 {
     fvPatchVectorField::autoMap(mapper);
-    if (velocity_)
-    {
-        velocity_->autoMap(mapper);
-    }
+    velocity_.autoMap(mapper);
 }
 
 
@@ -168,13 +145,11 @@ void Foam::coulombFrictionFvPatchVectorField::rmap
 {
     fvPatchVectorField::rmap(ptf, addr);
 
-    const coulombFrictionFvPatchVectorField& other =
-        refCast<const coulombFrictionFvPatchVectorField>(ptf);
-
-    if (velocity_ && other.velocity_)
-    {
-        velocity_->rmap(other.velocity_(), addr);
-    }
+    velocity_.rmap
+    (
+        refCast<const coulombFrictionFvPatchVectorField>(ptf).velocity_,
+        addr
+    );
 }
 
 
@@ -202,10 +177,7 @@ void Foam::coulombFrictionFvPatchVectorField::write(Ostream& os) const
     os.writeEntry("mu", mu_);
     os.writeEntry("adhesion", adhesion_);
     os.writeEntry("slipVelocity", slipVelocity_);
-    if (velocity_)
-    {
-        velocity_->writeData(os);
-    }
+    velocity_.write(os);
     writeEntry("value", os);
 }
 

@@ -23,7 +23,6 @@ License
 
 #include "coupleTractionFvPatchScalarField.H"
 #include "addToRunTimeSelectionTable.H"
-#include "fvPatchFieldMapper.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -59,7 +58,7 @@ Foam::coupleTractionFvPatchScalarField::coupleTractionFvPatchScalarField
 )
 :
     fixedGradientFvPatchScalarField(p, iF),
-    couple_(PatchFunction1<scalar>::New(p.patch(), "coupleTraction", dict))
+    couple_(p.patch(), "coupleTraction", dict)
 {
     gradient() = Zero;
 
@@ -83,10 +82,8 @@ Foam::coupleTractionFvPatchScalarField::coupleTractionFvPatchScalarField
 )
 :
     fixedGradientFvPatchScalarField(ptf, p, iF, mapper),
-    couple_(ptf.couple_.clone(p.patch()))
-{
-    couple_->autoMap(mapper);
-}
+    couple_(ptf.couple_, p.patch(), mapper)
+{}
 
 
 Foam::coupleTractionFvPatchScalarField::coupleTractionFvPatchScalarField
@@ -96,7 +93,7 @@ Foam::coupleTractionFvPatchScalarField::coupleTractionFvPatchScalarField
 )
 :
     fixedGradientFvPatchScalarField(ptf, iF),
-    couple_(ptf.couple_.clone(this->patch().patch()))
+    couple_(ptf.couple_, this->patch().patch())
 {}
 
 
@@ -105,7 +102,7 @@ Foam::coupleTractionFvPatchScalarField::coupleTractionFvPatchScalarField
 Foam::tmp<Foam::scalarField>
 Foam::coupleTractionFvPatchScalarField::coupleTraction() const
 {
-    return couple_->value(db().time().timeOutputValue());
+    return couple_.value(*this);
 }
 
 
@@ -115,7 +112,7 @@ void Foam::coupleTractionFvPatchScalarField::autoMap
 )
 {
     fixedGradientFvPatchScalarField::autoMap(mapper);
-    couple_->autoMap(mapper);
+    couple_.autoMap(mapper);
 }
 
 
@@ -127,9 +124,9 @@ void Foam::coupleTractionFvPatchScalarField::rmap
 {
     fixedGradientFvPatchScalarField::rmap(ptf, addr);
 
-    couple_->rmap
+    couple_.rmap
     (
-        refCast<const coupleTractionFvPatchScalarField>(ptf).couple_(),
+        refCast<const coupleTractionFvPatchScalarField>(ptf).couple_,
         addr
     );
 }
@@ -138,7 +135,7 @@ void Foam::coupleTractionFvPatchScalarField::rmap
 void Foam::coupleTractionFvPatchScalarField::write(Ostream& os) const
 {
     fvPatchScalarField::write(os);
-    couple_->writeData(os);
+    couple_.write(os);
     writeEntry("value", os);
 }
 

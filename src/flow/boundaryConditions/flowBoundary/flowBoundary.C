@@ -23,6 +23,7 @@ License
 
 #include "flowBoundary.H"
 #include "checkedEntry.H"
+#include "oneLayer.H"
 #include "planarFrame.H"
 #include "tangentialTractionFvPatchVectorField.H"
 #include "coulombFrictionFvPatchVectorField.H"
@@ -111,8 +112,7 @@ Foam::labelList Foam::flowBoundary::withFaces(const fvMesh& mesh)
     {
         if
         (
-            !patch.coupled() && patch.type() != "empty"
-         && patch.type() != "wedge"
+            !patch.coupled() && !oneLayer::isPlane(patch.patch())
          && returnReduce(patch.size(), sumOp<label>())
         )
         {

@@ -24,7 +24,6 @@ License
 #include "rollingFrictionFvPatchScalarField.H"
 #include "checkedEntry.H"
 #include "addToRunTimeSelectionTable.H"
-#include "fvPatchFieldMapper.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -71,12 +70,7 @@ rollingFrictionFvPatchScalarField
     (
         checkedEntry::positive("slipRate", dimless/dimTime, dict).value()
     ),
-    rotation_
-    (
-        dict.found("rotation")
-      ? PatchFunction1<scalar>::New(p.patch(), "rotation", dict)
-      : autoPtr<PatchFunction1<scalar>>()
-    )
+    rotation_(p.patch(), "rotation", dict, false)
 {
     gradient() = Zero;
 
@@ -104,14 +98,8 @@ rollingFrictionFvPatchScalarField
     mu_(ptf.mu_),
     length_(ptf.length_),
     slipRate_(ptf.slipRate_),
-    rotation_()
-{
-    if (ptf.rotation_)
-    {
-        rotation_ = ptf.rotation_.clone(p.patch());
-        rotation_->autoMap(mapper);
-    }
-}
+    rotation_(ptf.rotation_, p.patch(), mapper)
+{}
 
 
 Foam::rollingFrictionFvPatchScalarField::
@@ -125,13 +113,8 @@ rollingFrictionFvPatchScalarField
     mu_(ptf.mu_),
     length_(ptf.length_),
     slipRate_(ptf.slipRate_),
-    rotation_()
-{
-    if (ptf.rotation_)
-    {
-        rotation_ = ptf.rotation_.clone(this->patch().patch());
-    }
-}
+    rotation_(ptf.rotation_, this->patch().patch())
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -139,10 +122,7 @@ rollingFrictionFvPatchScalarField
 Foam::tmp<Foam::scalarField>
 Foam::rollingFrictionFvPatchScalarField::rotation() const
 {
-    return
-        rotation_
-      ? rotation_->value(db().time().timeOutputValue())
-      : tmp<scalarField>(new scalarField(size(), Zero));
+    return rotation_.value(*this);
 }
 
 
@@ -152,10 +132,7 @@ void Foam::rollingFrictionFvPatchScalarField::autoMap
 )
 {
     fixedGradientFvPatchScalarField::autoMap(mapper);
-    if (rotation_)
-    {
-        rotation_->autoMap(mapper);
-    }
+    rotation_.autoMap(mapper);
 }
 
 
@@ -167,13 +144,11 @@ void Foam::rollingFrictionFvPatchScalarField::rmap
 {
     fixedGradientFvPatchScalarField::rmap(ptf, addr);
 
-    const rollingFrictionFvPatchScalarField& other =
-        refCast<const rollingFrictionFvPatchScalarField>(ptf);
-
-    if (rotation_ && other.rotation_)
-    {
-        rotation_->rmap(other.rotation_(), addr);
-    }
+    rotation_.rmap
+    (
+        refCast<const rollingFrictionFvPatchScalarField>(ptf).rotation_,
+        addr
+    );
 }
 
 
@@ -183,10 +158,7 @@ void Foam::rollingFrictionFvPatchScalarField::write(Ostream& os) const
     os.writeEntry("mu", mu_);
     os.writeEntry("length", length_);
     os.writeEntry("slipRate", slipRate_);
-    if (rotation_)
-    {
-        rotation_->writeData(os);
-    }
+    rotation_.write(os);
     writeEntry("value", os);
 }
 

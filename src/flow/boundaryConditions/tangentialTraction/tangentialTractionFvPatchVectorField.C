@@ -23,7 +23,6 @@ License
 
 #include "tangentialTractionFvPatchVectorField.H"
 #include "addToRunTimeSelectionTable.H"
-#include "fvPatchFieldMapper.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -61,7 +60,7 @@ tangentialTractionFvPatchVectorField
 )
 :
     fvPatchVectorField(p, iF, dict, false),
-    traction_(PatchFunction1<vector>::New(p.patch(), "traction", dict))
+    traction_(p.patch(), "traction", dict)
 {
     if (dict.found("value"))
     {
@@ -84,10 +83,8 @@ tangentialTractionFvPatchVectorField
 )
 :
     fvPatchVectorField(ptf, p, iF, mapper),
-    traction_(ptf.traction_.clone(p.patch()))
-{
-    traction_->autoMap(mapper);
-}
+    traction_(ptf.traction_, p.patch(), mapper)
+{}
 
 
 Foam::tangentialTractionFvPatchVectorField::
@@ -98,7 +95,7 @@ tangentialTractionFvPatchVectorField
 )
 :
     fvPatchVectorField(ptf, iF),
-    traction_(ptf.traction_.clone(this->patch().patch()))
+    traction_(ptf.traction_, this->patch().patch())
 {}
 
 
@@ -107,7 +104,7 @@ tangentialTractionFvPatchVectorField
 Foam::tmp<Foam::vectorField>
 Foam::tangentialTractionFvPatchVectorField::traction() const
 {
-    return traction_->value(db().time().timeOutputValue());
+    return traction_.value(*this);
 }
 
 
@@ -117,7 +114,7 @@ void Foam::tangentialTractionFvPatchVectorField::autoMap
 )
 {
     fvPatchVectorField::autoMap(mapper);
-    traction_->autoMap(mapper);
+    traction_.autoMap(mapper);
 }
 
 
@@ -129,10 +126,11 @@ void Foam::tangentialTractionFvPatchVectorField::rmap
 {
     fvPatchVectorField::rmap(ptf, addr);
 
-    const tangentialTractionFvPatchVectorField& tiptf =
-        refCast<const tangentialTractionFvPatchVectorField>(ptf);
-
-    traction_->rmap(tiptf.traction_(), addr);
+    traction_.rmap
+    (
+        refCast<const tangentialTractionFvPatchVectorField>(ptf).traction_,
+        addr
+    );
 }
 
 
@@ -157,7 +155,7 @@ void Foam::tangentialTractionFvPatchVectorField::evaluate
 void Foam::tangentialTractionFvPatchVectorField::write(Ostream& os) const
 {
     fvPatchVectorField::write(os);
-    traction_->writeData(os);
+    traction_.write(os);
     writeEntry("value", os);
 }
 

@@ -25,7 +25,6 @@ License
 #include "surfaceFields.H"
 #include "unitConversion.H"
 #include "volFields.H"
-#include "wedgeFvPatch.H"
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
@@ -83,13 +82,9 @@ void Foam::faceGeometry::setBoundary()
 {
     DynamicList<label> oneSided;
 
-    forAll(mesh_.boundary(), patchi)
+    for (const label patchi : halo_.patches())
     {
         const fvPatch& patch = mesh_.boundary()[patchi];
-        if (isA<wedgeFvPatch>(patch))
-        {
-            continue;
-        }
         const label start = faceOf(halo_.start(patchi));
         const vectorField& Sf = mesh_.Sf().boundaryField()[patchi];
         const scalarField& dc =
@@ -150,13 +145,10 @@ void Foam::faceGeometry::setRadii()
     {
         setEdge(f, mesh_.Cf()[f]);
     }
-    for (const fvPatch& patch : mesh_.boundary())
+    for (const label patchi : halo_.patches())
     {
-        if (isA<wedgeFvPatch>(patch))
-        {
-            continue;
-        }
-        const label start = halo_.start(patch.index());
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        const label start = halo_.start(patchi);
         forAll(patch, i)
         {
             setEdge(faceOf(start + i), patch.Cf()[i]);

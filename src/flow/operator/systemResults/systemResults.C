@@ -23,9 +23,7 @@ License
 
 #include "systemResults.H"
 #include "surfaceFields.H"
-#include "emptyFvPatch.H"
 #include "processorFvPatch.H"
-#include "wedgeFvPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -153,19 +151,15 @@ Foam::scalar Foam::systemResults::evenWeight() const
     }
 
     const fvMesh& mesh = mesh_.mesh();
-    for (const fvPatch& patch : mesh.boundary())
+    for (const label patchi : mesh_.halo().patches())
     {
-        if
-        (
-            isA<emptyFvPatch>(patch)
-         || isA<wedgeFvPatch>(patch)
-         || isA<processorFvPatch>(patch)
-        )
+        const fvPatch& patch = mesh.boundary()[patchi];
+        if (isA<processorFvPatch>(patch))
         {
             continue;
         }
         const vectorField& Cf = patch.Cf();
-        const label start = mesh_.faceOf(mesh_.halo().start(patch.index()));
+        const label start = mesh_.faceOf(mesh_.halo().start(patchi));
         forAll(Cf, i)
         {
             work -= s_.flux[start + i]*(Cf[i] & g);
@@ -181,14 +175,10 @@ void Foam::systemResults::getFluxes(surfaceScalarField& phi) const
 {
     phi.primitiveFieldRef() = SubList<scalar>(s_.flux, mesh_.nInternal());
 
-    forAll(phi.boundaryField(), patchi)
+    for (const label patchi : mesh_.halo().patches())
     {
         scalarField& phip = phi.boundaryFieldRef()[patchi];
         const label start = mesh_.faceOf(mesh_.halo().start(patchi));
-        if (isA<wedgeFvPatch>(mesh_.mesh().boundary()[patchi]))
-        {
-            continue;
-        }
         forAll(phip, i)
         {
             phip[i] = s_.flux[start + i];

@@ -23,7 +23,7 @@ License
 
 #include "faceFlux.H"
 #include "planarCells.H"
-#include "emptyPolyPatch.H"
+#include "oneLayer.H"
 #include "meshTools.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -85,7 +85,7 @@ void Foam::pointVelocities::faceFlux::setCell
             if
             (
                 patchi >= 0
-             && isA<emptyPolyPatch>(mesh.boundaryMesh()[patchi])
+             && oneLayer::isPlane(mesh.boundaryMesh()[patchi])
             )
             {
                 continue;
