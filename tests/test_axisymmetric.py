@@ -157,6 +157,34 @@ def test_thin_ring(tmp_path):
         assert np.abs(a - b).max() < 1e-6*np.abs(b).max()
 
 
+def test_cut_cells(tmp_path):
+    """So is a ring of two materials with a leaning surface through cells."""
+    materials = {"a": {"eta": 1, "etaC": 1, "R": 0.1},
+                 "b": {"eta": 30, "etaC": 30, "R": 0.1}}
+
+    def part(x, y):
+        return np.clip((0.33 + 0.3*x - y)*24 + 0.5, 0, 1)
+
+    def push(x, y):
+        return np.array([np.sin(3*y), np.cos(2*x)])
+
+    far = AxialCase(
+        tmp_path/"ring", lambda s, t: (s - 0.5, 1e6 + t - 0.5), (24, 24),
+        {side: STILL for side in ("left", "right", "bottom", "top")},
+        materials, average="layered",
+        fractions=lambda x, y: part(x, y - 1e6),
+        force=lambda x, y: push(x, y - 1e6))
+    wall = ("type noSlip;", "type fixedValue; value uniform 0;")
+    plane = Box(tmp_path/"plane", n=24, materials=materials, average="layered",
+                walls=dict.fromkeys(("left", "right", "bottom", "top"), wall),
+                fractions=part, force=push).write()
+    for case in (far, plane):
+        case.run("cosseratPicFoam")
+    for field in ("U", "omega"):
+        a, b = far.field(field), plane.field(field)
+        assert np.abs(a - b).max() < 1e-6*np.abs(b).max()
+
+
 def test_rest(tmp_path):
     """Two fluids one over the other in a closed cylinder are at rest, and its
     walls bear their weight, of the whole circle."""

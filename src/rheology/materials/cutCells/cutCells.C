@@ -26,7 +26,7 @@ License
 #include "fvcAverage.H"
 #include "gaussGrad.H"
 #include "surfaceInterpolate.H"
-#include "emptyFvPatch.H"
+#include "oneLayer.H"
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
@@ -171,7 +171,7 @@ Foam::DynamicList<Foam::vector> Foam::cutCells::ways
         const label patchi =
             mesh.isInternalFace(facei)
           ? -1 : mesh.boundaryMesh().whichPatch(facei);
-        if (patchi < 0 || !isA<emptyFvPatch>(mesh.boundary()[patchi]))
+        if (patchi < 0 || !oneLayer::isPlane(mesh.boundaryMesh()[patchi]))
         {
             ways.append(mesh.faceCentres()[facei] - mesh.cellCentres()[celli]);
         }
