@@ -10,6 +10,30 @@ COMPONENTS = {"scalar": 1, "label": 1, "bool": 1, "sphericalTensor": 1,
               "vector": 3, "symmTensor": 6, "tensor": 9}
 
 
+HEADER = "FoamFile\n{{ version 2.0; format ascii; class {}; object {}; }}\n"
+
+
+def write_file(path, text, cls="dictionary"):
+    """Write a file with OpenFOAM's header, and the folders that it is in."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(HEADER.format(cls, path.name) + text)
+
+
+def listed(values):
+    """Entry of a list of scalars, (n,), or of vectors, (n, 3) or (n, 2) in the
+    plane."""
+    values = np.asarray(values)
+    if values.ndim == 1:
+        kind, rows = "scalar", [repr(v) for v in values.tolist()]
+    else:
+        space = np.zeros((len(values), 3), values.dtype)
+        space[:, :values.shape[1]] = values
+        kind = "vector"
+        rows = [f"({' '.join(map(repr, row))})" for row in space.tolist()]
+    return (f"nonuniform List<{kind}> {len(rows)}\n(\n" + "\n".join(rows)
+            + "\n)")
+
+
 def find(path):
     """The file, or the compressed one beside its name; None: neither."""
     for each in (path, path.with_name(path.name + ".gz")):

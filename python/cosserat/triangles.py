@@ -111,20 +111,26 @@ def write_polygons(case, flat, cells, side, depth=0.1):
     caps = ([(i, tuple(t[::-1])) for i, t in enumerate(cells)]
             + [(i, tuple(np.array(t) + n_flat)) for i, t in enumerate(cells)])
 
-    faces = [face for _, _, face in inner]
-    owner = [cell for cell, _, _ in inner]
-    boundary, start = [], len(faces)
-    for name, rows in [*outer.items(), ("frontAndBack", caps)]:
-        kind = "empty" if name == "frontAndBack" else "wall"
-        boundary.append(f"{name} {{ type {kind}; nFaces {len(rows)}; "
-                        f"startFace {start}; }}")
-        start += len(rows)
-        owner += [cell for cell, _ in rows]
-        faces += [face for _, face in rows]
-
     points = np.vstack([np.c_[flat, np.zeros(n_flat)],
                         np.c_[flat, np.full(n_flat, depth)]])
-    note = (f'note "nPoints:{len(points)}  nCells:{len(cells)}  '
+    write_mesh(case, points, inner,
+               [*((name, "wall", rows) for name, rows in outer.items()),
+                ("frontAndBack", "empty", caps)])
+
+
+def write_mesh(case, points, inner, patches):
+    """Write constant/polyMesh: points (n, 3); inner faces (owner, neighbour,
+    points of it) in OpenFOAM's order; patches (name, type and what belongs to
+    it, [(owner, points of it)])."""
+    faces = [face for _, _, face in inner]
+    owner = [cell for cell, _, _ in inner]
+    boundary = []
+    for name, kind, rows in patches:
+        boundary.append(f"{name} {{ type {kind}; nFaces {len(rows)}; "
+                        f"startFace {len(faces)}; }}")
+        owner += [cell for cell, _ in rows]
+        faces += [face for _, face in rows]
+    note = (f'note "nPoints:{len(points)}  nCells:{max(owner) + 1}  '
             f'nFaces:{len(faces)}  nInternalFaces:{len(inner)}"; ')
 
     def file(name, cls, rows):

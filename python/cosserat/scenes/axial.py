@@ -4,11 +4,12 @@ to any shape, with values of exact flows on its sides."""
 import numpy as np
 
 from cosserat.case import Case
+from cosserat.foamfile import listed, write_file
+from cosserat.scenes.box import material
+from cosserat.triangles import write_mesh
 
 #: Sides of the block
 SIDES = ("left", "right", "bottom", "top")
-
-HEADER = "FoamFile {{ version 2.0; format ascii; class {}; object {}; }}\n"
 
 
 class AxialCase(Case):
@@ -20,11 +21,13 @@ class AxialCase(Case):
     left and right one; materials: dict of name: dict of eta, etaC, R, B, rho,
     or law, coeffs (text), rho;
     fractions: function (x, y) of the first one's; g: along the axis; angle
-    between the planes [degrees]; triangles: halve the cells."""
+    between the planes [degrees]; triangles: halve the cells; average: of the
+    viscosities."""
 
     def __init__(self, path, shape, n, walls, materials, cyclic=False,
                  fractions=None, g=None, force=None, couple=None, angle=5.0,
-                 tolerance=1e-10, functions="", triangles=False):
+                 tolerance=1e-10, functions="", triangles=False,
+                 average="arithmetic"):
         super().__init__(path)
         self.n, self.cyclic, self.triangles = n, cyclic, triangles
         s, t = np.meshgrid(*(np.linspace(0, 1, k + 1) for k in n))
@@ -33,14 +36,12 @@ class AxialCase(Case):
         #: Whole circle over the wedge
         self.to_circle = np.pi/self.slope
         self._mesh()
-        self._dictionaries(materials, g, tolerance, functions)
+        self._dictionaries(materials, g, tolerance, functions, average)
         self._fields(walls, materials, fractions, force, couple)
 
     def write(self, name, text, cls="dictionary"):
         """Write a file of the case."""
-        path = self.path/name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(HEADER.format(cls, path.name) + text)
+        write_file(self.path/name, text, cls)
 
     def middles(self):
         """Centres of the cells in the mid-plane, shape (2, cells): those that
@@ -129,44 +130,20 @@ class AxialCase(Case):
         sides["back"] = [(label, [behind[k] for k in nodes[::-1]])
                          for label, nodes in enumerate(self._polygons())]
 
-        n_cells = len(sides["front"])
-        faces = [f[2] for f in inner]
-        owner = [f[0] for f in inner]
-        boundary = ""
-        self.patch_names = []
-        for name, those in sides.items():
-            if not those:
-                continue
-            kind = "wedge" if name in ("front", "back") else "patch"
+        def kind(name):
+            if name in ("front", "back"):
+                return "wedge"
             if self.cyclic and name in ("left", "right"):
-                kind = ("cyclic; neighbourPatch "
-                        + ("right" if name == "left" else "left"))
-            self.patch_names.append(name)
-            boundary += (f"{name} {{ type {kind}; nFaces {len(those)};"
-                         f" startFace {len(faces)}; }}\n")
-            faces += [f for _, f in those]
-            owner += [c for c, _ in those]
+                other = "right" if name == "left" else "left"
+                return f"cyclic; neighbourPatch {other}"
+            return "patch"
 
-        def listed(rows):
-            return f"{len(rows)}\n(\n" + "\n".join(rows) + "\n)\n"
+        sides = {name: those for name, those in sides.items() if those}
+        self.patch_names = list(sides)
+        write_mesh(self, np.array(points), inner,
+                   [(name, kind(name), those) for name, those in sides.items()])
 
-        mesh = "constant/polyMesh/"
-        self.write(mesh + "points", listed(
-            [f"({a!r} {b!r} {c!r})" for a, b, c in
-             np.array(points).tolist()]), "vectorField")
-        self.write(mesh + "faces", listed(
-            [f"{len(f)}({' '.join(map(str, f))})" for f in faces]), "faceList")
-        for name, labels in (("owner", owner),
-                             ("neighbour", [f[1] for f in inner])):
-            note = (f'    note "nPoints: {len(points)} nCells: {n_cells} nFaces:'
-                    f' {len(faces)} nInternalFaces: {len(inner)}"')
-            self.write(mesh + name, listed([str(k) for k in labels]),
-                       "labelList; " + note)
-        self.write(mesh + "boundary",
-                   f"{len(self.patch_names)}\n(\n{boundary})\n",
-                   "polyBoundaryMesh")
-
-    def _dictionaries(self, materials, g, tolerance, functions):
+    def _dictionaries(self, materials, g, tolerance, functions, average):
         self.write("system/controlDict", f"""
 application cosseratPicFoam; startFrom startTime; startTime 0;
 stopAt endTime; endTime 1; deltaT 1; writeControl timeStep; writeInterval 1;
@@ -184,17 +161,10 @@ interpolationSchemes { default linear; } snGradSchemes { default corrected; }
 """)
         self.write("system/fvSolution",
                    f"creepingFlow {{ tolerance {tolerance}; }}\n")
-        laws = "\n".join(
-            f"{name} {{ rho {m.get('rho', 0)}; viscosityLaw {m['law']};"
-            f" {m['law']}Coeffs {{ {m['coeffs']} }} }}"
-            if "law" in m else
-            f"{name} {{ rho {m.get('rho', 0)}; viscosityLaw constant;"
-            f" constantCoeffs {{ eta {m['eta']}; etaC {m['etaC']};"
-            f" R {m['R']}; B {m.get('B', 'infinite')}; }} }}"
-            for name, m in materials.items())
+        laws = "\n".join(material(name, m) for name, m in materials.items())
         self.write("constant/materialProperties",
                    f"materials {{ {laws} }}\n"
-                   + ("viscosityAverage arithmetic;\n"
+                   + (f"viscosityAverage {average};\n"
                       if len(materials) > 1 else ""))
         if g is not None:
             self.write("constant/g", "dimensions [0 1 -2 0 0 0 0];"
@@ -213,13 +183,13 @@ interpolationSchemes { default linear; } snGradSchemes { default corrected; }
             alpha = fractions(x, y)*np.ones_like(x)
             for name, values in zip(materials, (alpha, 1 - alpha)):
                 self._field(f"alpha.{name}", "volScalarField",
-                            "[0 0 0 0 0 0 0]", _values(values), {})
+                            "[0 0 0 0 0 0 0]", listed(values), {})
         if force:
             self._field("bodyForce", "volVectorField", "[1 -2 -2 0 0 0 0]",
-                        _values(force(x, y)), {})
+                        listed(np.transpose(force(x, y))), {})
         if couple:
             self._field("bodyCouple", "volScalarField", "[1 -1 -2 0 0 0 0]",
-                        _values(couple(x, y)), {})
+                        listed(couple(x, y)), {})
 
     def _field(self, name, cls, dims, inside, entries):
         text = ""
@@ -231,8 +201,8 @@ interpolationSchemes { default linear; } snGradSchemes { default corrected; }
             else:
                 entry = entries.get(patch, "type zeroGradient;")
                 if callable(entry):
-                    values = np.asarray(entry(*self.side(patch)))
-                    entry = f"type fixedValue; value {_values(values)};"
+                    values = np.transpose(entry(*self.side(patch)))
+                    entry = f"type fixedValue; value {listed(values)};"
             text += f"{patch} {{ {entry} }}\n"
         self.write(f"0/{name}", f"dimensions {dims};\ninternalField {inside};\n"
                    f"boundaryField\n{{\n{text}}}\n", cls)
@@ -258,15 +228,3 @@ interpolationSchemes { default linear; } snGradSchemes { default corrected; }
             off = self.field("p") - p(x, y)
             row["errP"] = rms(off - (V*off).sum()/V.sum())
         return row
-
-
-def _values(values):
-    """A list of OpenFOAM, of scalars or of two components in the plane."""
-    values = np.asarray(values)
-    if values.ndim == 1:
-        rows, kind = [repr(v) for v in values.tolist()], "scalar"
-    else:
-        rows = [f"({a!r} {b!r} 0)" for a, b in values.T.tolist()]
-        kind = "vector"
-    return (f"nonuniform List<{kind}> {len(rows)}\n(\n" + "\n".join(rows)
-            + "\n)")

@@ -7,12 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from cosserat.case import Case, ROOT, parse_list
+from cosserat.foamfile import listed, write_file
 from cosserat.refined import middles, refine_cells, refine_scene
 from cosserat.triangles import write_honeycomb, write_prisms
-
-HEADER = """FoamFile
-{{ version 2.0; format ascii; class {cls}; object {name}; }}
-"""
 
 #: A classical fluid, and a second one
 ONE = {"a": {"eta": 1, "etaC": 0, "R": 0}}
@@ -43,6 +40,17 @@ seeding {{ pointsPerCell {pointsPerCell}; regions ({regions}); dye ({dye}); }}
     for alpha in (case.path/"0").glob("alpha.*"):
         alpha.unlink()
     count(case)
+
+
+def material(name, constants):
+    """Entry of a material: of constant viscosity by eta, etaC, R, B (infinite),
+    or of a law with its coeffs (text); and of rho (0)."""
+    law = constants.get("law", "constant")
+    coeffs = constants.get("coeffs") or " ".join(
+        f"{key} {constants.get(key, 'infinite')};"
+        for key in ("eta", "etaC", "R", "B"))
+    return (f"    {name}\n    {{\n        rho {constants.get('rho', 0)};"
+            f" viscosityLaw {law};\n        {law}Coeffs {{ {coeffs} }}\n    }}")
 
 
 def count(case):
@@ -105,9 +113,7 @@ class Box:
 
     def file(self, name, text, cls="dictionary"):
         """Write a file of the case."""
-        path = self.case.path/name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(HEADER.format(cls=cls, name=path.name) + text)
+        write_file(self.case.path/name, text, cls)
 
     def write(self):
         """Write and mesh the case."""
@@ -143,16 +149,11 @@ creepingFlow
         self.file("constant/g", f"""
 dimensions [0 1 -2 0 0 0 0]; value ({self.g[0]} {self.g[1]} {self.g[2]});
 """, "uniformDimensionedVectorField")
-        laws = "\n".join(f"""
-    {name}
-    {{
-        rho {m.get('rho', 0)}; viscosityLaw constant;
-        constantCoeffs {{ eta {m['eta']}; etaC {m['etaC']}; R {m['R']};
-            B {m.get('B', 'infinite')}; }}
-    }}""" for name, m in self.materials.items())
+        laws = "\n".join(material(name, m)
+                         for name, m in self.materials.items())
         mean = f"viscosityAverage {self.average};\n" if self.average else ""
         self.file("constant/materialProperties",
-                  f"materials\n{{{laws}\n}}\n{mean}")
+                  f"materials\n{{\n{laws}\n}}\n{mean}")
         if self.triangles:
             self.prisms()
         elif self.honeycomb:
@@ -219,18 +220,10 @@ defaultPatch {{ name frontAndBack; type empty; }}
                  and not (self.cyclic and side in ("left", "right"))}
 
         def field(name, cls, dims, internal, which):
-            rows = ("\n".join("(" + " ".join(map(repr, map(float, row))) + ")"
-                              for row in internal) if cls == VECTOR
-                    else "\n".join(repr(float(v)) for v in internal))
-            kind = "vector" if cls == VECTOR else "scalar"
             patches = "\n".join(f"{side} {{ {which(side)} }}" for side in walls)
             self.file(f"0/{name}", f"""
 dimensions {dims};
-internalField nonuniform List<{kind}> {len(internal)}
-(
-{rows}
-)
-;
+internalField {listed(np.asarray(internal, float))};
 boundaryField
 {{
 {patches}
@@ -241,12 +234,8 @@ boundaryField
         def boundary_values(function, side, vector):
             xy = self.case.patch_centres(side)[:, :2]
             values = np.array(function(xy[:, 0], xy[:, 1]))
-            if vector:
-                rows = " ".join(f"({u!r} {v!r} 0)" for u, v in values.T.tolist())
-                return f"nonuniform List<vector> {len(xy)} ({rows})"
-            rows = " ".join(repr(v) for v in np.broadcast_to(
-                values, len(xy)).tolist())
-            return f"nonuniform List<scalar> {len(xy)} ({rows})"
+            return listed(values.T if vector
+                          else np.broadcast_to(values, len(xy)))
 
         def patch(side, i, function, vector):
             entry = self.walls[side][i]

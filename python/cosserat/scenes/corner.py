@@ -5,9 +5,8 @@ import numpy as np
 
 from cosserat import wedge
 from cosserat.case import Case
+from cosserat.foamfile import listed, write_file
 from cosserat.triangles import write_polygons
-
-HEADER = "FoamFile {{ version 2.0; format ascii; class {}; object {}; }}\n"
 
 #: Kinds of meshes: parallelograms, the same halved
 QUADS, TRIANGLES = "quads", "triangles"
@@ -84,9 +83,7 @@ class WedgeCase(Case):
         write_polygons(self, flat, [np.array(cell) for cell in cells], side)
 
     def write(self, name, cls, text):
-        path = self.path/name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(HEADER.format(cls, path.name) + text)
+        write_file(self.path/name, text, cls)
 
     def _dictionaries(self, corners):
         cosserat = any(eta_c for _, eta_c in self.media)
@@ -117,10 +114,10 @@ interpolationSchemes { default linear; } snGradSchemes { default corrected; }
             of_cell = np.array([kinds.index(self.media[s])
                                 for s in self.sector_of])
             for i in range(len(kinds)):
-                values = " ".join(map(str, (of_cell == i).astype(int)))
+                values = listed((of_cell == i).astype(int))
                 self.write(f"0/alpha.m{i}", "volScalarField", f"""
 dimensions [0 0 0 0 0 0 0];
-internalField nonuniform List<scalar> {len(of_cell)} ({values});
+internalField {values};
 boundaryField {{ "(first|second|far)" {{ type zeroGradient; }}
 frontAndBack {{ type empty; }} }}
 """)
@@ -138,14 +135,13 @@ frontAndBack {{ type empty; }} }}
             normal = np.array([along[1], -along[0]])
             tangential = along @ np.array([u[0], v[0]])
             values.append(speed*normal + tangential*along)
-        listed = " ".join(f"({u!r} {v!r} 0)" for u, v in np.array(values).tolist())
         walls = "\n".join(
             f"{name} {{ type {'noSlip' if held else 'slip'}; }}"
             for name, held in zip(("first", "second"), self.holds))
         self.write("0/U", "volVectorField", f"""
 dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);
 boundaryField {{ far {{ type fixedValue;
-value nonuniform List<vector> {len(values)} ({listed}); }}
+value {listed(values)}; }}
 {walls} frontAndBack {{ type empty; }} }}
 """)
         self.write("0/p_rgh", "volScalarField", """
