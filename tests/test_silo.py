@@ -8,7 +8,8 @@ import pytest
 from cosserat.case import Case, TUTORIALS, residuals
 from cosserat.picture import outflow
 from cosserat.references import SILO, SILO_SCENES, SILO_YIELD
-from cosserat.scenes.silo import COARSE, prepare, rate
+from cosserat.scenes.silo import (COARSE, halve, mesh_entries, prepare, rate,
+                                  refine)
 from cosserat.scenes.siloYield import give_yield
 from cosserat.scenes.yielding import steps
 
@@ -97,6 +98,51 @@ def test_a_yield_stress_slows_it(tutorial):
     viscous.run("cosseratPicFoam")
     assert found == pytest.approx(
         rate(viscous)/SILO["start, 2/3"].value, abs=1e-2)
+
+
+def falling(path, cells, half, gravity=0, until=5e-4):
+    """Volume that has left alpha = 0 by a time, of a half as of the whole;
+    cells a unit or None: a mesh refined into the corners."""
+    case = Case.copy(TUTORIALS/"silo", path)
+    if cells:
+        case.substitute("system/blockMeshDict", mesh_entries(cells))
+    if half:
+        halve(case)
+    if not cells:
+        refine(case, half)
+    case.substitute("constant/g", {"value": f"({gravity} -10 0)"})
+    case.substitute("constant/materialProperties", {"alpha": 0})
+    case.substitute("constant/materialPointsProperties", {"pointsPerCell": 9})
+    case.substitute("system/controlDict", {"endTime": until, "maxCo": 1})
+    case.run("blockMesh")
+    case.run("cosseratPicFoam")
+    return outflow(case)[-1, 1]*(2 if half else 1)
+
+
+@pytest.mark.slow
+def test_half_a_silo_is_a_whole_one(tmp_path):
+    """Until its jet is on the floor."""
+    half, whole = (falling(tmp_path/str(half), 8, half, until=2e-4)
+                   for half in (True, False))
+    assert half == pytest.approx(whole, rel=2e-3)
+
+
+@pytest.mark.slow
+def test_corners_may_be_refined(tmp_path):
+    """From behind a mirror as much leaves as on a uniform mesh, but for a row
+    of points."""
+    uniform, refined = (falling(tmp_path/str(cells), cells, True)
+                        for cells in (8, None))
+    assert refined == pytest.approx(uniform, rel=1e-2)
+
+
+@pytest.mark.slow
+def test_jet_folds(tmp_path):
+    """Of the whole silo to one side, at once where gravity is a little to that
+    side, and the fill leaves faster by it than from behind a mirror."""
+    upright, folded = (falling(tmp_path/str(half), 6, half, gravity)
+                       for half, gravity in ((True, 0), (False, 0.1)))
+    assert folded == pytest.approx(1.05*upright, rel=1e-2)
 
 
 def short(tutorial, target, method=None, **control):

@@ -92,6 +92,35 @@ def prepare(case, silo, cells, corners=True, tolerance=1e-8):
     return case
 
 
+def halve(case):
+    """Leave a copy of the tutorial the half x > 0 of its mesh behind a mirror.
+    Of the whole the jet folds to one side when it stands on the floor, sooner
+    or later as chance has it."""
+    path = case.path/FILES["mesh"]
+    # Vertices are numbered row by row, eight in each, on back and front
+    text = re.sub(r"    hex \((\d+) .*\n",
+                  lambda m: m[0] if int(m[1]) % 8 > 2 else "",
+                  path.read_text())
+
+    def kept(match):
+        columns = {int(vertex) % 8 for vertex in match[1].split()}
+        return match[0] if min(columns) > 2 and columns != {3} else ""
+
+    text = re.sub(r" {12}\(([\d ]+)\)\n", kept, text)
+    middle = " ".join(f"({i} {i + 40} {i + 48} {i + 8})"
+                      for i in (3, 11, 19, 27))
+    path.write_text(text.replace("(-0.5 ", "(0 ").replace(
+        "boundary\n(", f"""boundary
+(
+    middle
+    {{
+        type symmetryPlane;
+        faces ({middle});
+    }}"""))
+    across = int(case.entries(FILES["mesh"])["nAperture"])
+    case.substitute(FILES["mesh"], {"nAperture": across//2})
+
+
 def rate(case, aperture=1):
     """Volume that leaves through the aperture, y = 0, in a time [m2/s], by the
     fluxes of the last time."""
@@ -118,8 +147,14 @@ REFINED = {
 }
 
 
-def refine(case):
-    """Refine the mesh of a copy of the tutorial into the corners."""
+def refine(case, half=False):
+    """Refine the mesh of a copy of the tutorial, or of its half, into the
+    corners."""
+    columns = list(REFINED["columns"])
+    if half:
+        _, cells, growth = columns[3]
+        columns[3] = "end", cells//2, growth
+
     def grading(towards, _, growth):
         if towards == "both":
             return f"((0.5 0.5 {growth}) (0.5 0.5 {1/growth!r}))"
@@ -128,7 +163,7 @@ def refine(case):
     def block(match):
         # Vertices are numbered row by row, eight in each
         first = int(match[1].split()[0])
-        column = REFINED["columns"][first % 8]
+        column = columns[first % 8]
         row = REFINED["rows"][first // 8]
         return (f"hex ({match[1]}) ({column[1]} {row[1]} 1) simpleGrading "
                 f"({grading(*column)} {grading(*row)} 1)")
