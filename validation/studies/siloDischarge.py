@@ -151,7 +151,9 @@ def study():
                for average in ("geometric", "harmonic")]
     wanted += [(name, cells, "arithmetic", "whole")
                for cells in (8, REFINED) for name in ("0", "2/3")]
-    wanted += [("0", cells, "arithmetic", "tilted") for cells in (8, REFINED)]
+    wanted += [("0", 16, "arithmetic", "whole")]
+    wanted += [("0", cells, "arithmetic", "tilted")
+               for cells in (8, 16, REFINED)]
     drawn, wholes, rows = {}, {}, []
     for name, cells, average, shape in wanted:
         case, row = run(name, cells, average, shape)
