@@ -7,7 +7,7 @@
     foamPicture CASE -animate              # all times as a GIF
 
 Files may be ascii or binary, compressed or not, the plane any of the three; a
-case that ran in parallel is to be reconstructed.
+case that ran in parallel is to be reconstructed. Wedges are mirrored at the axis.
 """
 
 import argparse
@@ -28,6 +28,7 @@ from scipy.interpolate import LinearNDInterpolator
 from cosserat.analytic import err
 from cosserat.case import Case
 from cosserat.foamfile import FoamFile, find
+from cosserat.mirrored import opened
 from cosserat.units import label
 
 #: Colours of materials by index, light enough to draw dye on, and of dye
@@ -465,6 +466,9 @@ def arguments():
                         help="draw the line on which a field, or the magnitude"
                         " of vectors, has a value; FIELD speed: the velocity"
                         " over its largest, speed 0.01 around what stagnates")
+    parser.add_argument("-half", action="store_true",
+                        help="of a wedge the half that is in the mesh, not"
+                        " mirrored at the axis")
     parser.add_argument("-animate", action="store_true",
                         help="a GIF of all times")
     parser.add_argument("-dpi", type=float, default=150,
@@ -519,8 +523,8 @@ def main():
     """The command line."""
     parser = arguments()
     asked = parser.parse_args()
-    case = Case(asked.case)
-    times = times_of(case, asked, parser.error)
+    times = times_of(Case(asked.case), asked, parser.error)
+    case = opened(asked.case, asked.half)
 
     colours = None
     if asked.component and not re.fullmatch("[xyz]{1,2}", asked.component):

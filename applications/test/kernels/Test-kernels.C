@@ -43,6 +43,8 @@ Description
 
         u = a x + b y,   v = c x + d y.
 
+    Of a wedge with its axis along x the divergence is that in space.
+
     average: half of the points of the case, chosen at random; of each its
     cell, x, y, volume, and the average of its cell of the values x + 10 y of
     the points.
@@ -56,10 +58,12 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"
+#include "axialCentres.H"
 #include "cornerFlow.H"
 #include "haloExchange.H"
 #include "IFstream.H"
 #include "materialPointCloud.H"
+#include "oneLayer.H"
 #include "OFstream.H"
 #include "planarCells.H"
 #include "planarFrame.H"
@@ -150,6 +154,10 @@ static tmp<surfaceScalarField> linearFlux
     {
         const vectorField& Cf = mesh.Cf().boundaryField()[patchi];
         const vectorField& Sf = mesh.Sf().boundaryField()[patchi];
+        if (oneLayer::isPlane(mesh.boundaryMesh()[patchi]))
+        {
+            continue;
+        }
         forAll(phi.boundaryField()[patchi], i)
         {
             phi.boundaryFieldRef()[patchi][i] = flux(Cf[i], Sf[i]);
@@ -190,6 +198,7 @@ static void testVelocity
 
     const volScalarField net(fvc::div(phi));
     const planarCells cells(mesh);
+    const bool axial = cells.axial().active();
     Random random(1);
 
     for (label celli = 0; celli < mesh.nCells(); ++celli)
@@ -206,9 +215,11 @@ static void testVelocity
             };
             const vector dx(h, 0, 0), dy(0, h, 0);
             const vector u(value(Zero));
+            const scalar lean = axial ? h/p.y() : 0;
             const scalar divergence =
             (
-                (value(dx) - value(-dx)).x() + (value(dy) - value(-dy)).y()
+                (value(dx) - value(-dx)).x()
+              + ((1 + lean)*value(dy) - (1 - lean)*value(-dy)).y()
             )/(2*h);
 
             os  << celli << ' ' << p.x() << ' ' << p.y() << ' ' << u.x()
@@ -302,6 +313,7 @@ int main(int argc, char *argv[])
     #include "setRootCase.H"
     #include "createTime.H"
     #include "createMesh.H"
+    axialCentres(mesh);
 
     const word kernel(args[1]);
     OFstream os(runTime.path()/kernel);

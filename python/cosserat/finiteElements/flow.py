@@ -1,4 +1,5 @@
-"""Creeping flow of a Cosserat medium in the plane by finite elements."""
+"""Creeping flow of a Cosserat medium in the plane, or around an axis, by finite
+elements."""
 
 from dataclasses import dataclass
 from typing import Callable
@@ -43,10 +44,12 @@ def _value(given, x, y):
     return np.broadcast_to(np.asarray(value, float), np.shape(x))
 
 
-def strains(gradients, values):
+def strains(gradients, values, radius=None):
     """u,x; v,y; u,y + v,x; s; omega,x; omega,y of each unknown (u, v, omega)
-    of a cell: (cells, points, 6, unknowns)."""
-    E = np.zeros(gradients.shape[:2] + (6, gradients.shape[2], 3))
+    of a cell: (cells, points, 6, unknowns). With the distances from an axis
+    x = 0 also u/x and omega/x."""
+    rows = 6 if radius is None else 8
+    E = np.zeros(gradients.shape[:2] + (rows, gradients.shape[2], 3))
     x, y = gradients[..., 0], gradients[..., 1]
     E[:, :, 0, :, 0] = x
     E[:, :, 1, :, 1] = y
@@ -57,6 +60,8 @@ def strains(gradients, values):
     E[:, :, 3, :, 2] = values
     E[:, :, 4, :, 2] = x
     E[:, :, 5, :, 2] = y
+    if radius is not None:
+        E[:, :, 6, :, 0] = E[:, :, 7, :, 2] = values/radius[..., None]
     return E.reshape(E.shape[:3] + (-1,))
 
 
@@ -68,19 +73,23 @@ class Flow:
     functions of the centres (x, y) of the cells; force, a pair [N/m3]: the
     same; smooth: function (x, y) for a force that varies in the cells. walls:
     list of Wall. omega is not a number where no cell has etaC or M. In a
-    closed box p is known up to a constant.
+    closed box p is known up to a constant. axial: around the axis x = 0, of
+    which a wall has normal 0 and omega 0; what is an integral is then that of a
+    radian, and omega about the direction that goes from x to y.
 
     Of all u', omega', p' it satisfies
 
         int 2 eta D:D' + 4 etaC s s' + M grad omega . grad omega'
         - p div u' - p' div u = int force . u' + walls' tractions and couples
 
-    with D = sym grad u, s = omega - (v,x - u,y)/2.
+    with D = sym grad u, s = omega - (v,x - u,y)/2; around an axis u/x is one
+    of D's and omega/x one of grad omega's components.
     """
 
     def __init__(self, mesh, degree=3, eta=1.0, etaC=0.0, M=0.0,
-                 force=(0.0, 0.0), walls=(), smooth=None):
+                 force=(0.0, 0.0), walls=(), smooth=None, axial=False):
         self.mesh, self.degree, self.walls = mesh, degree, walls
+        self.axial = axial
         self.shape = Lagrange(degree)
         self.nodes, self.n_nodes = mesh.nodes(degree)
         self.places = mesh.positions(self.shape.nodes)
@@ -119,20 +128,32 @@ class Flow:
         return monomials(np.einsum("cda,cqd->cqa", np.linalg.inv(J), x),
                          self.degree - 1)
 
-    def _assemble(self):
+    def _integrals(self):
+        """Points of integration, shape functions there, strains and weights."""
         xi, weights = gauss(self.degree + 2)
         grads, det = self._geometry(xi)
         values = self.shape.values(xi)
-        volume = det*weights
-        cells, terms = len(grads), self.degree*(self.degree + 1)//2
-        E = strains(grads, values)
-        moduli = np.stack([2*self.eta, 2*self.eta, self.eta, 4*self.etaC,
-                           self.M, self.M], -1)
+        if not self.axial:
+            return xi, values, strains(grads, values), det*weights
+        radius = np.einsum("qn,cn->cq", values, self.places[..., 0])
+        return (xi, values, strains(grads, values, radius),
+                det*weights*radius)
+
+    def _moduli(self, eta, etaC, M):
+        """What the strains are multiplied by, (cells, strains)."""
+        rows = [2*eta, 2*eta, eta, 4*etaC, M, M]
+        return np.stack(rows + [2*eta, M]*self.axial, -1)
+
+    def _assemble(self):
+        xi, values, E, volume = self._integrals()
+        cells, terms = len(E), self.degree*(self.degree + 1)//2
+        moduli = self._moduli(self.eta, self.etaC, self.M)
         flat = E.reshape(cells, -1, E.shape[-1])
         weighted = (E*(volume[:, :, None]*moduli[:, None])[..., None]
                     ).reshape(flat.shape)
         A = np.matmul(flat.transpose(0, 2, 1), weighted)
-        divergence = (E[:, :, 0] + E[:, :, 1])*volume[..., None]
+        divergence = E[:, :, [0, 1] + [6]*self.axial].sum(axis=2)
+        divergence *= volume[..., None]
         B = -np.matmul(self._pressures(xi).transpose(0, 2, 1), divergence)
 
         dofs = (3*self.nodes[:, :, None] + np.arange(3)).reshape(cells, -1)
@@ -153,15 +174,18 @@ class Flow:
 
     def _side(self, cell, side):
         """Nodes, positions of points along a side, shape functions there,
-        and the outer normal times the weights (length)."""
+        and the outer normal times the weights (length, or area of a
+        radian)."""
         t, w = np.polynomial.legendre.leggauss(self.degree + 2)
         local = self.shape.sides[side]
         values = self.shape._line(t)
         slope = self.shape._line(t, True) @ self.relative[cell, local]
         sign = 1 if side in (0, 1) else -1
         normal = sign*np.stack([slope[:, 1], -slope[:, 0]], -1)
-        return (self.nodes[cell, local], values @ self.places[cell, local],
-                values, normal*w[:, None])
+        places = values @ self.places[cell, local]
+        if self.axial:
+            w = w*places[:, 0]
+        return self.nodes[cell, local], places, values, normal*w[:, None]
 
     def _constrain(self):
         """Loads of walls, fixed unknowns, and rotation of the velocities of
@@ -314,7 +338,7 @@ class Flow:
 
     def flux(self, start, end):
         """Volume that passes the straight line of sides from start to end in
-        a time, from the left of it to the right [m2/s]."""
+        a time, from the left of it to the right [m2/s; of a radian m3/s]."""
         start, end = np.asarray(start, float), np.asarray(end, float)
         way = end - start
         length = np.hypot(*way)

@@ -31,9 +31,9 @@ def silo_mesh(scene, size=0.5, smallest=1e-8, contact=1e-40, ratio=0.2):
     return mesh.grade([lips[1], (2.75, 5), (2.75, -floor)], smallest, ratio)
 
 
-def silo_flow(scene, degree=3, tauY=0, eps=10.0, **mesh):
+def silo_flow(scene, degree=3, tauY=0, eps=10.0, axial=False, **mesh):
     """Solution for a scene; tauY: yield stress of the fill, with the small rate
-    eps."""
+    eps; axial: of a silo that is round."""
     bottom = -scene.floor if scene.filled else 0.0
 
     def inside(x, y):
@@ -55,12 +55,18 @@ def silo_flow(scene, degree=3, tauY=0, eps=10.0, **mesh):
     return flow(silo_mesh(scene, **mesh), degree,
                 eta=fill(Silo.ETA, scene.background),
                 etaC=fill(scene.etaC), M=fill(scene.M),
-                force=(0, fill(-Silo.WEIGHT)), walls=walls)
+                force=(0, fill(-Silo.WEIGHT)), walls=walls, axial=axial)
 
 
 def silo_rate(scene, degree=3, **mesh):
     """Volume that leaves through y = 0 in a time [m2/s]."""
     return 2*silo_flow(scene, degree, **mesh).flux(
+        (0, 0), (scene.aperture/2, 0))
+
+
+def round_rate(scene, degree=3, **options):
+    """Volume that leaves a round silo through y = 0 in a time [m3/s]."""
+    return 2*np.pi*silo_flow(scene, degree, axial=True, **options).flux(
         (0, 0), (scene.aperture/2, 0))
 
 

@@ -3,8 +3,7 @@ the points of integration, by Newton's method."""
 
 import numpy as np
 
-from cosserat.finiteElements.flow import Flow, _sparse, strains
-from cosserat.finiteElements.shapes import gauss
+from cosserat.finiteElements.flow import Flow, _sparse
 
 #: Largest change of the unknowns, over the largest of them, at the end; and most
 #: steps
@@ -27,13 +26,9 @@ class BinghamFlow(Flow):
 
     def _prepare(self):
         """Strains, weights and moduli of unit viscosity at all points."""
-        xi, weights = gauss(self.degree + 2)
-        grads, det = self._geometry(xi)
-        self.strains = strains(grads, self.shape.values(xi))
-        self.volume = det*weights
+        _, _, self.strains, self.volume = self._integrals()
         eta = self.eta
-        self.unit = np.stack([2 + 0*eta, 2 + 0*eta, 1 + 0*eta,
-                              4*self.etaC/eta, self.M/eta, self.M/eta], -1)
+        self.unit = self._moduli(1 + 0*eta, self.etaC/eta, self.M/eta)
         tauY = self.tauY
         self.yields = (tauY(*self.mesh.centres.T) if callable(tauY)
                        else np.full(len(eta), float(tauY)))

@@ -1,6 +1,8 @@
 """Wedges for flows around an axis: one block of cells in the mid-plane, bent
 to any shape, with values of exact flows on its sides."""
 
+import re
+
 import numpy as np
 
 from cosserat.case import Case
@@ -206,6 +208,19 @@ interpolationSchemes { default linear; } snGradSchemes { default corrected; }
             text += f"{patch} {{ {entry} }}\n"
         self.write(f"0/{name}", f"dimensions {dims};\ninternalField {inside};\n"
                    f"boundaryField\n{{\n{text}}}\n", cls)
+
+    def step(self, dt, steps):
+        """Do steps of a time [s], and write the last."""
+        self.override("control", endTime=f"{steps*dt:.8g}",
+                      deltaT=f"{dt:.12g}", writeInterval=steps)
+
+    def fill(self, name, values):
+        """Give a field values in the cells: numbers (cells), or components in
+        the plane (2, cells)."""
+        path = self.path/"0"/name
+        path.write_text(re.sub(r"internalField [^;]*;", lambda _:
+                               f"internalField {listed(np.transpose(values))};",
+                               path.read_text()))
 
     def solve_and_compare(self, u, omega=None, p=None):
         """Relative L2 errors of a solved case against functions (x, y), by

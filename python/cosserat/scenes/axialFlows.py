@@ -7,11 +7,17 @@ from cosserat.analytic import (ConeFlow, LayeredPipe, ManufacturedAxial,
                                Material, PipeFlow, SphereFlow)
 from cosserat.case import residuals
 from cosserat.scenes.axial import AxialCase
+from cosserat.scenes.box import add_points
 
 STILL = ("type noSlip;", "type zeroGradient;",
          "type fixedValue; value uniform 0;")
 FREE = ("type noSlip;", "type zeroGradient;", "type zeroGradient;")
+GIVEN = ("type fixedValue; value uniform (0 0 0);", "type zeroGradient;",
+         "type fixedValue; value uniform 0;")
 SLIP = ("type slip;", "type zeroGradient;", "type zeroGradient;")
+
+#: A region of points
+ALL = "{ type all; material a; }"
 
 #: Materials of the manufactured solution
 MIXED = {"a": Material(1.0, 2.0, 0.2), "b": Material(3.0, 1.0, 0.4)}
@@ -114,6 +120,54 @@ def cone(path, n, half=25.0, power=None):
     # 2 eta u_r,r at the narrow end
     spread = np.ptp(case.field("p"))/4
     return row("cone", case, errors, 1 + spread, 1.0, half=half)
+
+
+def conical(path, n, half=25.0, end=0.3, **options):
+    """The same with points, of which 25 are followed for a time [s]."""
+    exact = ConeFlow()
+
+    def shape(s, t):
+        angle = np.radians(half)*t
+        return ((1 + s)*np.cos(angle),
+                np.where(t == 0, 0, (1 + s)*np.sin(angle)))
+
+    given = (exact.u, *GIVEN[1:])
+    case = AxialCase(path, shape, (n, n//2),
+                     {"left": given, "right": given, "top": SLIP},
+                     {"a": entries(Material(1.0, 1.0, 0.3))}, tolerance=1e-8,
+                     **options)
+    add_points(case, ALL, minPointsPerCell=1)
+    steps = 10*n//8
+    case.step(end/steps, steps)
+    r, angle = np.meshgrid(np.linspace(1.2, 1.9, 5),
+                           np.radians([0.5, 3, 8, 15, 23]))
+    places = " ".join(f"({x:.6g} {y:.6g} 0)" for x, y in zip(
+        (r*np.cos(angle)).ravel(), (r*np.sin(angle)).ravel()))
+    case.measure("t", "pointTracers", f"places ({places});")
+    return case
+
+
+def narrows(x):
+    """Radius of a pipe of length 3 that narrows from 1 to 0.6 in its middle."""
+    return 1 - 0.2*(1 - np.cos(np.pi*np.clip(x - 1, 0, 1)))
+
+
+def narrowing_pipe(path, n, steps, co=0.5, run=True, triangles=False,
+                   **points):
+    """Points in a flow through that pipe, along its wall, 1 m/s at the start,
+    3n x n cells; entries of materialPointsProperties."""
+    enter = ("type fixedValue; value uniform (1 0 0);", *GIVEN[1:])
+    leave = ("type zeroGradient;", "type fixedValue; value uniform 0;",
+             "type zeroGradient;")
+    case = AxialCase(path, lambda s, t: (3*s, t*narrows(3*s)), (3*n, n),
+                     {"left": enter, "right": leave, "top": SLIP},
+                     {"a": entries(Material(1.0, 1.0, 0.1))},
+                     triangles=triangles)
+    add_points(case, ALL, **points)
+    case.step(co/n/2.8, steps)
+    if run:
+        case.run("cosseratPicFoam")
+    return case
 
 
 def manufactured(path, n, wavy=False, tolerance=1e-8, triangles=False):

@@ -33,8 +33,12 @@ Foam::planarCells::planarCells(const fvMesh& mesh)
 :
     mesh_(mesh),
     axial_(mesh),
+    thickness_(0),
     face_(mesh.nCells(), -1)
 {
+    const labelPair across(axes(mesh));
+    thickness_ = mesh.bounds().span()[3 - across.first() - across.second()];
+
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         if (oneLayer::isPlane(pp))
@@ -87,21 +91,18 @@ Foam::scalar Foam::planarCells::typicalVolume(const fvMesh& mesh)
 
 Foam::scalar Foam::planarCells::typicalSize(const fvMesh& mesh)
 {
-    const axialSymmetry axial(mesh);
-    if (axial.active())
+    const planarCells cells(mesh);
+    if (!cells.axial_.active())
     {
-        scalarField area(mesh.nCells());
-        forAll(area, celli)
-        {
-            area[celli] = axial.area(mesh.V()[celli], mesh.C()[celli]);
-        }
-        return Foam::sqrt(gSum(sqr(area))/gSum(area));
+        return Foam::sqrt(typicalVolume(mesh)/cells.thickness_);
     }
 
-    const labelPair across(axes(mesh));
-    const scalar depth =
-        mesh.bounds().span()[3 - across.first() - across.second()];
-    return Foam::sqrt(typicalVolume(mesh)/depth);
+    scalarField area(mesh.V());
+    forAll(area, celli)
+    {
+        area[celli] /= cells.depth(mesh.C()[celli]);
+    }
+    return Foam::sqrt(gSum(sqr(area))/gSum(area));
 }
 
 
@@ -132,11 +133,12 @@ Foam::labelList Foam::planarCells::turns
 
 Foam::point Foam::planarCells::spread
 (
-    const labelPair& axes,
     const UList<point>& corners,
     label& trial
-)
+) const
 {
+    const labelPair axes(planarCells::axes(mesh_));
+
     point lower(corners[0]), upper(corners[0]);
     for (const point& corner : corners)
     {
@@ -149,15 +151,19 @@ Foam::point Foam::planarCells::spread
     const scalar plastic = 1.32471795724474602596;
     const vector size(upper - lower);
 
+    vector part(Zero);
     point p(lower);
     do
     {
         ++trial;
-        p = lower;
-        p[axes.first()] +=
-            size[axes.first()]*std::fmod(0.5 + trial/plastic, 1);
-        p[axes.second()] +=
-            size[axes.second()]*std::fmod(0.5 + trial/sqr(plastic), 1);
+        part[axes.first()] = std::fmod(0.5 + trial/plastic, 1);
+        part[axes.second()] = std::fmod(0.5 + trial/sqr(plastic), 1);
+        if (axial_.active())
+        {
+            scalar& radial = part[axial_.radial()];
+            radial = axial_.evenly(radial, lower, upper);
+        }
+        p = lower + cmptMultiply(size, part);
     }
     while (!contains(axes, corners, p));
 

@@ -23,7 +23,6 @@ License
 
 #include "materialPointCloud.H"
 #include "checkedEntry.H"
-#include "axialSymmetry.H"
 #include "fvcSurfaceIntegrate.H"
 #include "materialNames.H"
 #include "ListOps.H"
@@ -49,26 +48,6 @@ namespace Foam
             IOobject::NO_WRITE,
             false
         );
-    }
-
-
-    //- The same, or stop: points fill areas and know no distance from an axis
-    static IOobject planarPropertiesIO(const fvMesh& mesh)
-    {
-        const IOobject io(propertiesIO(mesh));
-
-        if (axialSymmetry(mesh).active())
-        {
-            FatalIOErrorInFunction(dictionary(io.objectPath()))
-                << "The scene has material points, and its mesh is a wedge,"
-                << " with patches of type "
-                << flatOutput(mesh.boundaryMesh().types()) << nl
-                << "    Allowed: points on planar meshes; on a wedge no such"
-                << " file, and volume fractions of materials that are read"
-                << exit(FatalIOError);
-        }
-
-        return io;
     }
 }
 
@@ -200,7 +179,7 @@ Foam::materialPointCloud::materialPointCloud
     Cloud<materialPoint>(U.mesh(), cloudName, false),
     mesh_(U.mesh()),
     materials_(materials),
-    dict_(planarPropertiesIO(mesh_)),
+    dict_(propertiesIO(mesh_)),
     seeding_(mesh_, materials, dict_.subDict("seeding")),
     integration_(pointIntegration::New(dict_)),
     average_(pointAverage::New(dict_)),

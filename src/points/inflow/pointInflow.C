@@ -67,7 +67,9 @@ Foam::point Foam::pointInflow::place
         }
     }
 
-    return (1 - fraction)*corners[0] + fraction*end;
+    const scalar part = axial_.evenly(fraction, corners[0], end);
+
+    return (1 - part)*corners[0] + part*end;
 }
 
 
@@ -172,6 +174,7 @@ Foam::pointInflow::pointInflow
 )
 :
     mesh_(U.mesh()),
+    axial_(mesh_),
     dict_(dict),
     pointsPerCell_(pointsPerCell),
     material_(mesh_.boundary().size(), materials.size() > 1 ? -1 : 0),

@@ -26,6 +26,7 @@ License
 #include "pointIntegration.H"
 #include "planarWalk.H"
 #include "coupledPolyPatch.H"
+#include "wedgePolyPatch.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -276,7 +277,13 @@ bool Foam::materialPoint::hitPatch(materialPointCloud&, trackingData& td)
     {
         // Along the wall, and off it by more than the rounding of the way,
         // which would end at the wall again and again where that is oblique
-        const vector n(normal());
+        vector n(normal());
+        if (isA<wedgePolyPatch>(pp))
+        {
+            // Met at the axis only
+            const vector& e = refCast<const wedgePolyPatch>(pp).centreNormal();
+            n = normalised(n - (n & e)*e);
+        }
         displacement_ -=
             (max(displacement_ & n, scalar(0)) + 1e-12*mag(displacement_))*n;
     }

@@ -42,9 +42,9 @@ Foam::point Foam::cellSurroundings::towards
 
     // The same few again, where no point has moved, may all be taken
     const label nTrials = 4, mostTrials = 100;
-    const scalar apart = sqr(0.001*size(mesh_.cellVolumes()[celli]));
-
     point best(mesh_.cellCentres()[celli]);
+    const scalar apart = sqr(0.001*size(mesh_.cellVolumes()[celli], best));
+
     scalar farthest = -1;
 
     label trial = others.size();
@@ -57,7 +57,7 @@ Foam::point Foam::cellSurroundings::towards
     {
         const point p
         (
-            (1 - part)*from + part*planarCells::spread(axes_, polygon, trial)
+            (1 - part)*from + part*cells_.spread(polygon, trial)
         );
 
         scalar nearest = GREAT;
@@ -88,7 +88,6 @@ Foam::cellSurroundings::cellSurroundings(const fvMesh& mesh)
 {
     const direction normal = 3 - axes_.first() - axes_.second();
     const scalar middle = mesh.bounds().midpoint()[normal];
-    depth_ = mesh.bounds().span()[normal];
 
     for (const polyPatch& pp : mesh.boundaryMesh())
     {

@@ -57,7 +57,7 @@ Foam::vector Foam::pointSplitting::way
     const scalar golden = 0.61803398874989485;
     const scalar first = std::fmod(golden*others.size(), 1);
 
-    scalar length = 0.25*surroundings_.size(p.volume());
+    scalar length = 0.25*surroundings_.size(p.volume(), middle);
     for (label l = 0; l < nLengths; ++l)
     {
         vector best(Zero);
@@ -124,8 +124,8 @@ Foam::materialPoint* Foam::pointSplitting::spread
     cloud.properties().split(p);
 
     // Directions by chance, the same for the same place
-    const scalar size = surroundings_.size(p.volume());
     const point from(p.position());
+    const scalar size = surroundings_.size(p.volume(), from);
     const scalar golden = 0.61803398874989485;
     scalar angle =
         constant::mathematical::pi

@@ -169,7 +169,7 @@ bool Foam::volumeBalance::isTaken
 ) const
 {
     const scalar V = surroundings_.mesh().V()[own.cell()];
-    const scalar apart = 1e-3*surroundings_.size(V);
+    const scalar apart = 1e-3*surroundings_.size(V, place);
 
     for (const materialPoint* p : points)
     {

@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "planarWalk.H"
+#include "axialSymmetry.H"
 #include "planarCells.H"
 #include "pointVelocity.H"
 #include "pointIntegration.H"
@@ -57,7 +58,8 @@ bool Foam::planarWalk::setHalf
     const pointField& points = mesh_.points();
     const scalar near = flat*mesh_.bounds().mag();
 
-    for (label tetPti = 1; tetPti <= 2; ++tetPti)
+    const label nTets = mesh_.faces()[facei].size() - 2;
+    for (label tetPti = 1; tetPti <= nTets; ++tetPti)
     {
         const triFace tri
         (
@@ -91,6 +93,93 @@ bool Foam::planarWalk::setHalf
 }
 
 
+bool Foam::planarWalk::setSlopes
+(
+    const label celli,
+    vector2D& from,
+    vector2D& to,
+    edgeOfCell& e
+) const
+{
+    const scalar near = flat*mesh_.bounds().mag();
+
+    const vector2D& c = centres_[celli];
+    vector2D a(from - c), b(to - c);
+    scalar twoA = a.x()*b.y() - a.y()*b.x();
+    if (twoA < 0)
+    {
+        Swap(a, b);
+        Swap(from, to);
+        twoA = -twoA;
+    }
+    if (!(twoA > SMALL*sqr(near)) || !std::isfinite(1/twoA))
+    {
+        return false;
+    }
+
+    e.a = vector2D(b.y()/twoA, -b.x()/twoA);
+    e.b = vector2D(-a.y()/twoA, a.x()/twoA);
+    return true;
+}
+
+
+bool Foam::planarWalk::setAxisEdge
+(
+    const label celli,
+    const label facei,
+    edgeOfCell& e
+) const
+{
+    const direction normal = 3 - i0_ - i1_;
+    const pointField& points = mesh_.points();
+    const scalar near = flat*mesh_.bounds().mag();
+
+    const label nTets = mesh_.faces()[facei].size() - 2;
+    for (label tetPti = 1; tetPti <= nTets; ++tetPti)
+    {
+        const triFace tri(tetIndices(celli, facei, tetPti).faceTriIs(mesh_));
+
+        DynamicList<direction> on(3);
+        direction off = 0;
+        forAll(tri, i)
+        {
+            if (mag(points[tri[i]][normal] - middle_[normal]) < near)
+            {
+                on.append(i);
+            }
+            else
+            {
+                off = i;
+            }
+        }
+        if (on.size() != 2)
+        {
+            continue;
+        }
+
+        e.face = facei;
+        e.beyond = -1;
+        e.lean = -1;
+        const vector2D first(inPlane(points[tri[on[0]]]));
+        vector2D from(first), to(inPlane(points[tri[on[1]]]));
+        if (!setSlopes(celli, from, to, e))
+        {
+            return false;
+        }
+
+        half& h = e.ends[0];
+        h.tetPt = tetPti;
+        h.same = off;
+        h.opposite = from == first ? on[0] : on[1];
+        h.farther = from == first ? on[1] : on[0];
+        e.ends[1] = h;
+        return true;
+    }
+
+    return false;
+}
+
+
 bool Foam::planarWalk::setEdge
 (
     const label celli,
@@ -103,39 +192,37 @@ bool Foam::planarWalk::setEdge
     const pointField& points = mesh_.points();
     const scalar near = flat*mesh_.bounds().mag();
 
-    // Its ends are what two corners on the same side of the plane are
+    // Its ends are what two corners on the same side of the plane are, or one
+    // on the axis
     DynamicList<vector2D> ends(2);
-    scalar depths = 0;
+    DynamicList<scalar> depths(2);
+    scalar sum = 0;
     for (const label pointi : f)
     {
         const scalar depth = points[pointi][normal] - middle_[normal];
-        depths += depth;
-        if (depth > 0)
+        sum += depth;
+        if (depth > -near)
         {
             ends.append(inPlane(points[pointi]));
+            depths.append(depth > near ? depth : 0);
         }
     }
-    if (f.size() != 4 || ends.size() != 2 || mag(depths) > near)
+    if (ends.size() != 2 || f.size() > 4 || mag(sum) > near)
     {
         return false;
     }
 
-    const vector2D& c = centres_[celli];
-    vector2D a(ends[0] - c), b(ends[1] - c);
-    scalar twoA = a.x()*b.y() - a.y()*b.x();
-    if (twoA < 0)
-    {
-        Swap(a, b);
-        Swap(ends[0], ends[1]);
-        twoA = -twoA;
-    }
-    if (!(twoA > SMALL*sqr(near)) || !std::isfinite(1/twoA))
+    vector2D from(ends[0]), to(ends[1]);
+    if (!setSlopes(celli, from, to, e))
     {
         return false;
     }
+    if (from != ends[0])
+    {
+        Swap(depths[0], depths[1]);
+    }
 
-    e.a = vector2D(b.y()/twoA, -b.x()/twoA);
-    e.b = vector2D(-a.y()/twoA, a.x()/twoA);
+    e.lean = depths[0] > 0 ? depths[1]/depths[0] : VGREAT;
     e.face = facei;
     e.beyond = -1;
     if (mesh_.isInternalFace(facei))
@@ -145,8 +232,8 @@ bool Foam::planarWalk::setEdge
     }
 
     return
-        setHalf(celli, facei, ends[0], e.ends[0])
-     && setHalf(celli, facei, ends[1], e.ends[1]);
+        (depths[0] <= 0 || setHalf(celli, facei, from, e.ends[0]))
+     && (depths[1] <= 0 || setHalf(celli, facei, to, e.ends[1]));
 }
 
 
@@ -267,12 +354,26 @@ void Foam::planarWalk::put
     lA = max(lA, scalar(0));
     lB = max(lB, scalar(0));
 
-    const half& h = edges_[in].ends[lA >= lB ? 0 : 1];
-    const scalar nearer = max(lA, lB), farther = min(lA, lB);
+    const edgeOfCell& e = edges_[in];
     FixedList<scalar, 3> l;
-    l[h.same] = 0.5*(nearer - farther);
-    l[h.opposite] = 0.5*(nearer + farther);
-    l[h.farther] = farther;
+    label end = 0;
+    if (e.lean < 0)
+    {
+        l[e.ends[0].same] = 0;
+        l[e.ends[0].opposite] = lA;
+        l[e.ends[0].farther] = lB;
+    }
+    else
+    {
+        end = e.lean < VGREAT && lA >= e.lean*lB ? 0 : 1;
+        const scalar nearer = end ? lB : lA, farther = end ? lA : lB;
+        const scalar lean = farther*(end ? 1/e.lean : e.lean);
+
+        l[e.ends[end].same] = 0.5*(nearer - lean);
+        l[e.ends[end].opposite] = 0.5*(nearer + lean);
+        l[e.ends[end].farther] = farther;
+    }
+    const half& h = e.ends[end];
 
     p.setPlace
     (
@@ -303,16 +404,15 @@ Foam::planarWalk::planarWalk(const polyMesh& mesh)
     i0_ = axes.first();
     i1_ = axes.second();
     meshTools::constrainToMeshCentre(mesh, middle_);
+    const axialSymmetry axial(mesh);
+    const direction normal = 3 - i0_ - i1_;
 
-    boolList side(mesh.nFaces(), true);
+    bitSet side(mesh.nFaces(), true);
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         if (oneLayer::isPlane(pp))
         {
-            forAll(pp, i)
-            {
-                side[pp.start() + i] = false;
-            }
+            side.unset(labelRange(pp.start(), pp.size()));
         }
     }
 
@@ -326,6 +426,15 @@ Foam::planarWalk::planarWalk(const polyMesh& mesh)
             if (side[facei])
             {
                 possible_ = possible_ && setEdge(celli, facei, e);
+                edges.append(e);
+            }
+            else if
+            (
+                axial.active()
+             && mesh.faceCentres()[facei][normal] > middle_[normal]
+             && setAxisEdge(celli, facei, e)
+            )
+            {
                 edges.append(e);
             }
         }

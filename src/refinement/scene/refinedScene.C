@@ -129,7 +129,7 @@ Foam::boolList Foam::refinedScene::holdsSeeds(const label material) const
     boolList holds(mesh_.nCells(), false);
     forAll(holds, celli)
     {
-        holds[celli] = seeding.materials(cells.corners(celli)).found(material);
+        holds[celli] = seeding.materials(cells, celli).found(material);
     }
     return holds;
 }

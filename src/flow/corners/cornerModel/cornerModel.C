@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cornerModel.H"
+#include "axialSymmetry.H"
 #include "sparseEntries.H"
 #include "openfoamVersion.H"
 #include "unitConversion.H"
@@ -131,6 +132,7 @@ Foam::cornerModel::cornerModel
       : List<wallCorner>()
     ),
     starts_(corners_.size() + 1, Zero),
+    depth_(corners_.size(), scalar(1)),
     shape_(corners_.size()),
     weight_(corners_.size()),
     wallMotion_(corners_.size(), FixedList<scalar, 3>(scalar(0))),
@@ -151,6 +153,16 @@ Foam::cornerModel::cornerModel
             anyHolds_ = anyHolds_ || w.holds;
         }
         starts_[i + 1] = starts_[i] + corner.cells().size();
+    }
+
+    const axialSymmetry axial(mesh);
+    forAll(depth_, i)
+    {
+        if (axial.active())
+        {
+            const point vertex(frame.inSpace(corners_[i].vertex()));
+            depth_[i] = axial.angle()*axial.radius(vertex);
+        }
     }
 }
 
@@ -401,7 +413,7 @@ void Foam::cornerModel::setMaterials
             compressible = compressible || values[at + 2] > 0;
         }
 
-        weight_[i] = (compressible ? 0.0 : 1.0)*sqrt(W);
+        weight_[i] = (compressible ? 0.0 : 1.0)*sqrt(depth_[i]*W);
         if (held_)
         {
             continue;

@@ -67,6 +67,16 @@ void Foam::cosseratSystem::setRAU()
 }
 
 
+void Foam::cosseratSystem::flatten(const bool flat)
+{
+    if (mesh_.axial().active())
+    {
+        mesh_.flatten(flat);
+        pressure_.setReconstruction();
+    }
+}
+
+
 void Foam::cosseratSystem::setCorners
 (
     const scalarField& eta,
@@ -75,6 +85,9 @@ void Foam::cosseratSystem::setCorners
 )
 {
     corners_.setMaterials(eta, etaC, M, materials_.invB().primitiveField());
+
+    // Seen from close by the edge of a ring is straight
+    flatten(true);
 
     operatorState s(newState());
     scalarField etaAround(eta), etaCAround(etaC), MAround(M);
@@ -89,6 +102,8 @@ void Foam::cosseratSystem::setCorners
             }
         );
     }
+
+    flatten(false);
 }
 
 

@@ -325,7 +325,8 @@ Foam::faceGeometry::faceGeometry
     skewed_(false),
     adjoint_(nCells_, false),
     anyAdjoint_(false),
-    radial_(Zero)
+    radial_(Zero),
+    flat_(false)
 {
     setInternal();
     setBoundary();
@@ -343,6 +344,19 @@ Foam::faceGeometry::faceGeometry
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::faceGeometry::flatten(const bool flat)
+{
+    if (axial_.active() && flat != flat_)
+    {
+        flat_ = flat;
+        forAll(faces_, f)
+        {
+            Swap(faces_[f].S, edge_[f]);
+        }
+    }
+}
+
 
 Foam::scalar Foam::faceGeometry::largestAspect() const
 {

@@ -104,7 +104,7 @@ Foam::vector2D Foam::viscousForce::onFace
             wP*tangentialOfTangential(s, P, n)
           + wN*tangentialOfTangential(s, N, n)
         );
-        if (mesh_.axial().active())
+        if (mesh_.wedge())
         {
             Fn -= K_.Kb(f)*(wP*hoopStrain(s, P) + wN*hoopStrain(s, N));
         }
@@ -143,7 +143,7 @@ Foam::vector2D Foam::viscousForce::onWall
     if (K_.Kb(f) > 0)
     {
         Fn -= K_.Kb(f)*tangentialOfTangential(s, P, n);
-        if (mesh_.axial().active())
+        if (mesh_.wedge())
         {
             Fn -= K_.Kb(f)*hoopStrain(s, P);
         }
@@ -167,7 +167,7 @@ Foam::vector2D Foam::viscousForce::onWall
             Ft += Kr.KwP*s.omega[P] + Kr.KwN*s.omega[face.nei]
                 + Kr.KsP*s.relativeRotation(P);
         }
-        if (mesh_.axial().active())
+        if (mesh_.wedge())
         {
             // Halfway there the ring is as much shorter
             Ft -= narrowing(f)
@@ -236,7 +236,7 @@ Foam::scalar Foam::viscousForce::coupleOnWall
     const scalar C =
         K_.rotation(f).Km*d
       + 2*K_.etaC(P)*s.relativeRotation(P)*face.S/face.dc;
-    if (!mesh_.axial().active())
+    if (!mesh_.wedge())
     {
         return C;
     }

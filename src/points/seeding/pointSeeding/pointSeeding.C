@@ -30,9 +30,11 @@ License
 
 Foam::pointField Foam::pointSeeding::places
 (
-    const pointField& allCorners
+    const planarCells& cells,
+    const label celli
 ) const
 {
+    const pointField allCorners(cells.corners(celli));
     const pointField corners(allCorners, planarCells::turns(allCorners));
     const label n = pointsPerCell_;
     pointField places(n);
@@ -40,10 +42,17 @@ Foam::pointField Foam::pointSeeding::places
 
     if (corners.size() == 4 && k*k == n)
     {
+        const axialSymmetry& axial = cells.axial();
+        const point sides[4] =
+        {
+            0.5*(corners[3] + corners[0]), 0.5*(corners[1] + corners[2]),
+            0.5*(corners[0] + corners[1]), 0.5*(corners[2] + corners[3])
+        };
+
         for (label i = 0; i < n; ++i)
         {
-            const scalar xi = (i % k + 0.5)/k;
-            const scalar eta = (i/k + 0.5)/k;
+            const scalar xi = axial.evenly((i % k + 0.5)/k, sides[0], sides[1]);
+            const scalar eta = axial.evenly((i/k + 0.5)/k, sides[2], sides[3]);
 
             places[i] =
                 (1 - eta)*((1 - xi)*corners[0] + xi*corners[1])
@@ -52,11 +61,10 @@ Foam::pointField Foam::pointSeeding::places
         return places;
     }
 
-    const labelPair axes(planarCells::axes(mesh_));
     label trial = 0;
     for (point& p : places)
     {
-        p = planarCells::spread(axes, corners, trial);
+        p = cells.spread(corners, trial);
     }
 
     return places;
@@ -171,10 +179,14 @@ Foam::pointSeeding::pointSeeding
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::labelList Foam::pointSeeding::materials(const pointField& corners) const
+Foam::labelList Foam::pointSeeding::materials
+(
+    const planarCells& cells,
+    const label celli
+) const
 {
     DynamicList<label> found;
-    for (const point& p : places(corners))
+    for (const point& p : places(cells, celli))
     {
         const label m = regionMaterial_[region(p)];
         if (!found.found(m))
@@ -194,7 +206,7 @@ void Foam::pointSeeding::seed(materialPointCloud& cloud) const
 
     forAll(V, celli)
     {
-        for (const point& p : places(cells.corners(celli)))
+        for (const point& p : places(cells, celli))
         {
             const label r = region(p);
             const label m = regionMaterial_[r];

@@ -45,7 +45,8 @@ Foam::tmp<Foam::scalarField> Foam::pointAverages::linearLeastSquares::weights
     const materialPointCloud& cloud
 ) const
 {
-    const polyMesh& mesh = cloud.pMesh();
+    const fvMesh& mesh = refCast<const fvMesh>(cloud.pMesh());
+    const planarCells cells(mesh);
     const labelPair axes(planarCells::axes(mesh));
     const direction i0 = axes.first(), i1 = axes.second();
     const label n = mesh.nCells();
@@ -75,7 +76,6 @@ Foam::tmp<Foam::scalarField> Foam::pointAverages::linearLeastSquares::weights
 
     // C^-1 . (c - m), zero where the points cover little of the cell; the
     // covariance of even ones in a rectangle of area A has determinant A^2/144
-    const scalar depth = mesh.bounds().span()[3 - i0 - i1];
     scalarField dx(n, Zero), dy(n, Zero);
     for (label celli = 0; celli < n; ++celli)
     {
@@ -87,7 +87,10 @@ Foam::tmp<Foam::scalarField> Foam::pointAverages::linearLeastSquares::weights
         const scalar Cyy = yy[celli]/V - sqr(my[celli]);
         const scalar det = Cxx*Cyy - sqr(Cxy);
 
-        if (det > 1e-3*sqr(mesh.cellVolumes()[celli]/depth)/144)
+        const scalar A =
+            mesh.cellVolumes()[celli]/cells.depth(mesh.cellCentres()[celli]);
+
+        if (det > 1e-3*sqr(A)/144)
         {
             dx[celli] = (Cxy*my[celli] - Cyy*mx[celli])/det;
             dy[celli] = (Cxy*mx[celli] - Cxx*my[celli])/det;

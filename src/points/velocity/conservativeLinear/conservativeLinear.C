@@ -22,8 +22,11 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "conservativeLinear.H"
+#include "extrapolatedCalculatedFvPatchFields.H"
+#include "gaussGrad.H"
 #include "leastSquaresGrad.H"
 #include "linear.H"
+#include "oneLayer.H"
 #include "openFaces.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -39,6 +42,71 @@ namespace pointVelocities
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::volTensorField>
+Foam::pointVelocities::conservativeLinear::gradientInPlane() const
+{
+    const fvMesh& mesh = U_.mesh();
+    const vectorField& C = mesh.C();
+
+    // Sums of d d/d^2 and d dU/d^2 over the neighbours of each cell
+    tensorField dd(mesh.nCells(), Zero), dU(mesh.nCells(), Zero);
+    auto add = [&](const label celli, const vector& d, const vector& change)
+    {
+        dd[celli] += d*d/magSqr(d);
+        dU[celli] += d*change/magSqr(d);
+    };
+
+    forAll(mesh.neighbour(), facei)
+    {
+        const label P = mesh.owner()[facei], N = mesh.neighbour()[facei];
+        add(P, C[N] - C[P], U_[N] - U_[P]);
+        add(N, C[P] - C[N], U_[P] - U_[N]);
+    }
+    forAll(mesh.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh.boundary()[patchi];
+        if (oneLayer::isPlane(patch.patch()))
+        {
+            continue;
+        }
+
+        const fvPatchVectorField& Up = U_.boundaryField()[patchi];
+        const vectorField d(patch.delta());
+        const vectorField beyond
+        (
+            Up.coupled() ? Up.patchNeighbourField() : tmp<vectorField>(Up)
+        );
+        forAll(patch, i)
+        {
+            const label celli = patch.faceCells()[i];
+            add(celli, d[i], beyond[i] - U_[celli]);
+        }
+    }
+
+    tmp<volTensorField> tgradU
+    (
+        volTensorField::New
+        (
+            "gradU", mesh, dimensionedTensor(dimless/dimTime, Zero),
+            extrapolatedCalculatedFvPatchTensorField::typeName
+        )
+    );
+    volTensorField& gradU = tgradU.ref();
+    vector e(Zero);
+    e[3 - i0_ - i1_] = 1;
+    forAll(dd, celli)
+    {
+        gradU[celli] = inv(dd[celli] + e*e) & dU[celli];
+    }
+    gradU.correctBoundaryConditions();
+    fv::gaussGrad<vector>::correctBoundaryConditions(U_, gradU);
+
+    return tgradU;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::pointVelocities::conservativeLinear::conservativeLinear
@@ -48,8 +116,7 @@ Foam::pointVelocities::conservativeLinear::conservativeLinear
     const surfaceScalarField& phi
 )
 :
-    faceFlux(dict, U, phi),
-    U_(U)
+    faceFlux(dict, U, phi)
 {}
 
 
@@ -62,7 +129,9 @@ void Foam::pointVelocities::conservativeLinear::update()
     const fvMesh& mesh = U_.mesh();
     const tmp<volTensorField> tgradU
     (
-        fv::leastSquaresGrad<vector>(mesh).calcGrad(U_, "gradU")
+        axial_.active()
+      ? gradientInPlane()
+      : fv::leastSquaresGrad<vector>(mesh).calcGrad(U_, "gradU")
     );
     const tensorField& gradU = tgradU().primitiveField();
     const surfaceTensorField grad(linearInterpolate(tgradU()));
@@ -86,25 +155,7 @@ void Foam::pointVelocities::conservativeLinear::update()
         }
     }
 
-    for (label celli = 0; celli < mesh.nCells(); ++celli)
-    {
-        const label first = start_[celli];
-        const label n = start_[celli + 1] - first;
-
-        for (label i = 0; i < n; ++i)
-        {
-            // Along the edge, and outward with the same length
-            const vector t
-            (
-                corners_[first + (i + 1) % n] - corners_[first + i]
-            );
-            vector outward(Zero);
-            outward[i0_] = t[i1_];
-            outward[i1_] = -t[i0_];
-
-            slope_[first + i] = (t & all[faces_[first + i]]) & outward;
-        }
-    }
+    setSlopes(all);
 
     forAll(fans_, i)
     {

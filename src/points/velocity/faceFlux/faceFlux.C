@@ -41,13 +41,12 @@ namespace pointVelocities
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::pointVelocities::faceFlux::setCell
+void Foam::pointVelocities::faceFlux::setCorners
 (
     const label celli,
     const pointField& corners
 )
 {
-    const polyMesh& mesh = phi_.mesh();
     const label n = corners.size();
     const label start = start_[celli];
 
@@ -62,17 +61,43 @@ void Foam::pointVelocities::faceFlux::setCell
     }
     const bool clockwise = area < 0;
 
+    auto corner = [&](const label i)
+    {
+        return corners[clockwise ? n - 1 - i % n : i % n];
+    };
+    label first = 0;
     for (label i = 0; i < n; ++i)
     {
-        corners_[start + i] = corners[clockwise ? n - 1 - i : i];
+        if (onAxis(corner(i)) && onAxis(corner(i + 1)))
+        {
+            first = i + 1;
+        }
     }
 
     for (label i = 0; i < n; ++i)
     {
-        const point middle
-        (
-            0.5*(corners_[start + i] + corners_[start + (i + 1) % n])
-        );
+        corners_[start + i] = corner(first + i);
+    }
+}
+
+
+void Foam::pointVelocities::faceFlux::setFaces(const label celli)
+{
+    const polyMesh& mesh = phi_.mesh();
+    const label start = start_[celli];
+    const label n = start_[celli + 1] - start;
+
+    for (label i = 0; i < n; ++i)
+    {
+        const point& from = corners_[start + i];
+        const point middle(from + 0.5*edge(celli, i));
+        faces_[start + i] = -1;
+        sign_[start + i] = 0;
+        if (onAxis(from) && onAxis(middle))
+        {
+            continue;
+        }
+
         scalar nearest = GREAT;
 
         for (const label facei : mesh.cells()[celli])
@@ -115,6 +140,15 @@ void Foam::pointVelocities::faceFlux::makeFan(const label celli)
     {
         return;
     }
+    if (faces_[start + n - 1] < 0)
+    {
+        FatalErrorInFunction
+            << "Cell " << celli << " has an edge on the axis and the corners "
+            << corners << nl
+            << "    Allowed: triangles and convex quadrilaterals along the"
+            << " axis, or here velocity cellPoint, cell, cellPointFace, ... in"
+            << " materialPointsProperties" << exit(FatalError);
+    }
 
     point centre(phi_.mesh().cellCentres()[celli]);
     meshTools::constrainToMeshCentre(phi_.mesh(), centre);
@@ -145,7 +179,7 @@ Foam::vector Foam::pointVelocities::faceFlux::inTriangle
     const label s = start_[celli];
     auto edge = [&](const label i)
     {
-        return corners_[s + (i + 1) % 3] - corners_[s + i % 3];
+        return faceFlux::edge(celli, i % 3);
     };
     auto cross = [&](const vector& a, const vector& b)
     {
@@ -215,22 +249,68 @@ Foam::vector Foam::pointVelocities::faceFlux::inQuadrilateral
         }
     }
 
-    // Fluxes change along the edges; what that adds to the divergence is
-    // taken out by terms that vanish on the edges
-    const scalar x = xi - 0.5, y = eta - 0.5;
-    const scalar fXi =
-        (flux_[s + 1] + slope_[s + 1]*y)*xi
-      - (flux_[s + 3] - slope_[s + 3]*y)*(1 - xi)
-      + 0.5*(slope_[s] - slope_[s + 2])*xi*(1 - xi);
-    const scalar fEta =
-        (flux_[s + 2] - slope_[s + 2]*x)*eta
-      - (flux_[s] + slope_[s]*x)*(1 - eta)
-      + 0.5*(slope_[s + 1] - slope_[s + 3])*eta*(1 - eta);
+    const Pair<scalar> f(through(s, xi, eta));
 
     vector U(Zero);
-    U[i0_] = (fXi*xXi0 + fEta*xEta0)/J;
-    U[i1_] = (fXi*xXi1 + fEta*xEta1)/J;
+    U[i0_] = (f.first()*xXi0 + f.second()*xEta0)/J;
+    U[i1_] = (f.first()*xXi1 + f.second()*xEta1)/J;
     return U;
+}
+
+
+Foam::Pair<Foam::scalar> Foam::pointVelocities::faceFlux::through
+(
+    const label s,
+    const scalar xi,
+    const scalar eta
+) const
+{
+    const scalar x = xi - 0.5, y = eta - 0.5;
+
+    // Towards the axis r U along it goes with r and r U across it with r^2
+    if (faces_[s + 3] < 0)
+    {
+        return Pair<scalar>
+        (
+            (flux_[s + 1] + slope_[s + 1]*y)*sqr(xi),
+            2*xi
+           *(
+                flux_[s + 2]*eta
+              - flux_[s]*(1 - eta)
+              + 0.5*slope_[s + 1]*eta*(1 - eta)
+            )
+        );
+    }
+
+    // Fluxes change along the edges; what that adds to the divergence is
+    // taken out by terms that vanish on the edges
+    return Pair<scalar>
+    (
+        (flux_[s + 1] + slope_[s + 1]*y)*xi
+      - (flux_[s + 3] - slope_[s + 3]*y)*(1 - xi)
+      + 0.5*(slope_[s] - slope_[s + 2])*xi*(1 - xi),
+        (flux_[s + 2] - slope_[s + 2]*x)*eta
+      - (flux_[s] + slope_[s]*x)*(1 - eta)
+      + 0.5*(slope_[s + 1] - slope_[s + 3])*eta*(1 - eta)
+    );
+}
+
+
+Foam::vector Foam::pointVelocities::faceFlux::inCell
+(
+    const label celli,
+    const point& p
+) const
+{
+    if (fan_[celli] >= 0)
+    {
+        return fans_[fan_[celli]].value(p);
+    }
+
+    return
+        start_[celli + 1] - start_[celli] == 3
+      ? inTriangle(celli, p)
+      : inQuadrilateral(celli, p);
 }
 
 
@@ -254,7 +334,37 @@ void Foam::pointVelocities::faceFlux::takeFluxes()
 
     forAll(flux_, i)
     {
-        flux_[i] = sign_[i]*all[faces_[i]]/depth_;
+        flux_[i] = faces_[i] < 0 ? 0 : sign_[i]*all[faces_[i]]/depth_;
+    }
+}
+
+
+void Foam::pointVelocities::faceFlux::setSlopes(const tensorField& gradU)
+{
+    for (label celli = 0; celli + 1 < start_.size(); ++celli)
+    {
+        for (label i = start_[celli]; i < start_[celli + 1]; ++i)
+        {
+            // Along the edge, and outward with the same length
+            const vector t(edge(celli, i - start_[celli]));
+            vector outward(Zero);
+            outward[i0_] = t[i1_];
+            outward[i1_] = -t[i0_];
+
+            slope_[i] =
+                faces_[i] < 0 || gradU.empty()
+              ? 0 : (t & gradU[faces_[i]]) & outward;
+
+            if (axial_.active() && faces_[i] >= 0)
+            {
+                const scalar r = axial_.radius(corners_[i] + 0.5*t);
+                const bool ends =
+                    onAxis(corners_[i]) || onAxis(corners_[i] + t);
+
+                slope_[i] =
+                    (ends ? 0 : r*slope_[i]) + flux_[i]*t[axial_.radial()]/r;
+            }
+        }
     }
 }
 
@@ -262,11 +372,21 @@ void Foam::pointVelocities::faceFlux::takeFluxes()
 void Foam::pointVelocities::faceFlux::setFan
 (
     const label i,
-    const scalar vorticity
+    scalar vorticity
 )
 {
-    const label start = start_[fanCells_[i]];
-    const label n = start_[fanCells_[i] + 1] - start;
+    const label celli = fanCells_[i];
+    const label start = start_[celli];
+    const label n = start_[celli + 1] - start;
+
+    if (axial_.active())
+    {
+        // That of r U
+        const bool first = axial_.radial() == i0_;
+        vorticity =
+            axial_.radius(phi_.mesh().cellCentres()[celli])*vorticity
+          + (first ? U_[celli][i1_] : -U_[celli][i0_]);
+    }
 
     fans_[i].set
     (
@@ -286,14 +406,20 @@ Foam::pointVelocities::faceFlux::faceFlux
     const surfaceScalarField& phi
 )
 :
+    U_(U),
     phi_(phi),
+    axial_(U.mesh()),
     start_(U.size() + 1, Zero)
 {
     const fvMesh& mesh = U.mesh();
     const labelPair axes(planarCells::axes(mesh));
     i0_ = axes.first();
     i1_ = axes.second();
-    depth_ = mesh.bounds().span()[3 - i0_ - i1_];
+    depth_ =
+        axial_.active()
+      ? axial_.angle()
+      : mesh.bounds().span()[3 - i0_ - i1_];
+    least_ = 1e-9*mesh.bounds().mag();
     fan_.setSize(mesh.nCells(), -1);
 
     const planarCells cells(mesh);
@@ -313,7 +439,8 @@ Foam::pointVelocities::faceFlux::faceFlux
 
     forAll(corners, celli)
     {
-        setCell(celli, corners[celli]);
+        setCorners(celli, corners[celli]);
+        setFaces(celli);
         makeFan(celli);
     }
 }
@@ -324,6 +451,10 @@ Foam::pointVelocities::faceFlux::faceFlux
 void Foam::pointVelocities::faceFlux::update()
 {
     takeFluxes();
+    if (axial_.active())
+    {
+        setSlopes(tensorField());
+    }
 
     forAll(fans_, i)
     {
@@ -344,15 +475,16 @@ Foam::vector Foam::pointVelocities::faceFlux::value
     const label celli
 ) const
 {
-    if (fan_[celli] >= 0)
+    if (!axial_.active())
     {
-        return fans_[fan_[celli]].value(p);
+        return inCell(celli, p);
     }
 
-    return
-        start_[celli + 1] - start_[celli] == 3
-      ? inTriangle(celli, p)
-      : inQuadrilateral(celli, p);
+    const scalar r = max(axial_.radius(p), least_);
+    point q(p);
+    q[axial_.radial()] += r - axial_.radius(p);
+
+    return inCell(celli, q)/r;
 }
 
 

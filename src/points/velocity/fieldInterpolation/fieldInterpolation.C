@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "fieldInterpolation.H"
+#include "meshTools.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -43,6 +44,23 @@ void Foam::pointVelocities::fieldInterpolation::update()
 {
     // Schemes with point values compute them when constructed
     interpolation_ = interpolation<vector>::New(name_, U_);
+}
+
+
+Foam::vector Foam::pointVelocities::fieldInterpolation::value
+(
+    const particle& p
+) const
+{
+    vector U
+    (
+        interpolation_->interpolate(p.coordinates(), p.currentTetIndices())
+    );
+
+    // Of a wedge it has a part across the mid-plane
+    meshTools::constrainDirection(U_.mesh(), U_.mesh().geometricD(), U);
+
+    return U;
 }
 
 
