@@ -10,6 +10,8 @@ import pytest
 
 from cosserat.analytic import (LayeredPipe, Material, PipeFlow, SphereFlow)
 from cosserat.case import Case, RunError
+from cosserat.references import ROUND_SILO
+from cosserat.scenes import roundSilo
 from cosserat.scenes.axial import AxialCase
 from cosserat.scenes.axialFlows import (STILL, cone, core, entries,
                                         manufactured, pipe, sphere)
@@ -288,16 +290,13 @@ def test_refused(tmp_path, change, words):
         assert word in str(refused.value)
 
 
-def test_points_refused(tmp_path):
-    """Material points would be moved and seeded as if in a plane."""
-    case = AxialCase(tmp_path, block, (4, 4),
-                     {side: STILL for side in ("left", "right", "top")},
-                     HEAVY, g=(-1, 0, 0))
-    (case.path/"constant/materialPointsProperties").write_text(
-        "FoamFile { version 2.0; format ascii; class dictionary;"
-        " object materialPointsProperties; }\n"
-        "seeding { pointsPerCell 4; }\n")
-    with pytest.raises(RunError) as refused:
-        case.run("cosseratPicFoam")
-    for word in ["materialPointsProperties", "is a wedge", "planar meshes"]:
-        assert word in str(refused.value)
+@pytest.mark.parametrize("cells, alpha, corners, error", [
+    (8, 2/3, True, 0.0956), (8, 2/3, False, 0.2453), (8, 0, True, 0.05),
+    pytest.param(16, 2/3, True, 0.0333, marks=pytest.mark.slow)])
+def test_round_silo(tutorial, cells, alpha, corners, error):
+    """Rate at the start against finite elements; the corners' resistance is that
+    of the plane by the depth of the mesh there."""
+    case = roundSilo.prepare(tutorial("cylindricalSilo"), cells, alpha, corners)
+    case.run("cosseratPicFoam")
+    found = roundSilo.rate(case)/ROUND_SILO[alpha].value - 1
+    assert found == pytest.approx(error, abs=2e-3)

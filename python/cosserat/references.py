@@ -113,6 +113,13 @@ SILO = _rates([
 ])
 
 
+#: That of the round silo at the start, of the whole circle, by internal length
+ROUND_SILO = {alpha: Reference(
+    value, "m3/s", uncertainty, "finite elements of degree 4, rings down to 1e-100 of"
+    " a cell: cosserat.finiteElements.silo, round_rate")
+    for alpha, value, uncertainty in ((0, 4172.0, 0.5), (2/3, 2851.2, 0.5))}
+
+
 def _relatives(rows):
     return {(scene, quantity): Reference(
         value, {"flux": "m2/s", "u": "m/s", "omega": "1/s"}[quantity],

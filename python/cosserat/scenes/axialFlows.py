@@ -147,6 +147,18 @@ def conical(path, n, half=25.0, end=0.3, **options):
     return case
 
 
+def off_the_ways(case, C=1.0):
+    """How far points in a cone are from the ways in a sink of strength C: the
+    cube of the distance from the tip falls evenly, the angle [degrees] stays."""
+    off = []
+    for file in case.path.glob("postProcessing/t/0/tracer[0-9]*.dat"):
+        t, x, y = np.loadtxt(file).T[:3]
+        cube, angle = np.hypot(x, y)**3, np.degrees(np.arctan2(y, x))
+        off.append((np.abs(cube - cube[0] + 3*C*t).max(),
+                    np.abs(angle - angle[0]).max()))
+    return np.max(off, axis=0)
+
+
 def narrows(x):
     """Radius of a pipe of length 3 that narrows from 1 to 0.6 in its middle."""
     return 1 - 0.2*(1 - np.cos(np.pi*np.clip(x - 1, 0, 1)))

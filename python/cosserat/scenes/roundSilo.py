@@ -1,0 +1,44 @@
+"""The round silo at rest: cases of the tutorial cylindricalSilo, and their
+rate."""
+
+import numpy as np
+
+from cosserat.case import FILES
+from cosserat.scenes.silo import mesh_entries
+
+
+def round_mesh(cells):
+    """Entries of its blockMeshDict for a number of cells a unit length."""
+    return mesh_entries(cells) | {"nAperture": max(round(cells/2), 1)}
+
+
+def prepare(case, cells, alpha=2/3, corners=True):
+    """Make a copy of the tutorial one solve of its start, meshed."""
+    case.substitute(FILES["mesh"], round_mesh(cells))
+    case.substitute(FILES["control"], {
+        "endTime": 1e-9, "deltaT": 1e-9, "adjustTimeStep": "no",
+        "writeControl": "timeStep", "writeInterval": 1, "writePrecision": 12})
+    case.substitute(FILES["solution"], {"tolerance": 1e-8})
+    case.substitute(FILES["points"], {"pointsPerCell": 4})
+    case.substitute(FILES["materials"], {"alpha": repr(float(alpha))})
+    if alpha == 0:
+        path = case.path/FILES["materials"]
+        path.write_text(path.read_text().replace("1000;\n            R",
+                                                 "0;\n            R"))
+    if not corners:
+        case.override("solution", creepingFlow="{ corners off; }")
+    case.run("blockMesh")
+    return case
+
+
+def rate(case):
+    """Volume that leaves through the aperture, y = 0, in a time [m3/s], of the
+    whole circle, by the fluxes of the last time."""
+    points, phi = case.mesh_points(), case.field("phi")
+    faces = [points[face] for face in case.mesh_file("faces").faces()[:len(phi)]]
+    through = [np.abs(face[:, 1]).max() < 1e-9 and face[:, 0].max() < 0.5 + 1e-6
+               for face in faces]
+    corner = next(face[-1] for face, here in zip(faces, through) if here)
+    # All are between the same rows, and their normals alike
+    angle = 2*np.abs(corner[2])/corner[0]
+    return float(np.abs(phi[through].sum())*2*np.pi/angle)
