@@ -12,7 +12,7 @@ from cosserat.analytic import Material
 from cosserat.scenes.axial import AxialCase
 from cosserat.scenes.axialFlows import (ALL, GIVEN, SLIP, conical, entries,
                                         narrowing_pipe, narrows,
-                                        off_the_ways)
+                                        off_the_ways, points_sphere)
 from cosserat.scenes.box import account, add_points
 
 ONE = {"a": entries(Material(1.0, 1.0, 0.1))}
@@ -141,6 +141,13 @@ def test_even_after_a_thousand_steps(tmp_path, mesh):
     part = np.bincount((10*(y/narrows(x))**2).astype(int).clip(0, 9),
                        weights=case.cloud("volume"), minlength=10)
     assert np.abs(10*part/part.sum() - 1).max() < 0.03
+
+
+@pytest.mark.parametrize("R, error", [(0.1, -0.0087), (1.0, -0.0025)])
+def test_sphere_of_points(tmp_path, R, error):
+    """Drag of a sphere that cuts cells, 8 a radius."""
+    assert points_sphere(tmp_path, 8, R)["error"] == pytest.approx(
+        error, abs=5e-4)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])

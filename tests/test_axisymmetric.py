@@ -10,7 +10,7 @@ import pytest
 
 from cosserat.analytic import (LayeredPipe, Material, PipeFlow, SphereFlow)
 from cosserat.case import Case, RunError
-from cosserat.references import ROUND_SILO
+from cosserat.references import ROUND_SILO, ROUND_SILO_YIELD
 from cosserat.scenes import roundSilo
 from cosserat.scenes.axial import AxialCase
 from cosserat.scenes.axialFlows import (STILL, cone, core, entries,
@@ -271,6 +271,17 @@ def test_power_law_in_a_cone(tmp_path, n, bound):
     steps = re.search(r"Nonlinear: .* at most (\d+) in one",
                       Case(tmp_path/"24").log())
     assert int(steps[1]) < 20
+
+
+def test_round_silo_that_yields(tutorial):
+    """Its rate at the start, by finite elements with the same small rate; far
+    above that yield stress what is left of it goes with the small rate."""
+    rates = [roundSilo.rate(roundSilo.yielding(
+        tutorial("cylindricalSilo", f"{tauY:.0f}-{eps:.0f}"), 8, tauY, eps))
+        for tauY, eps in ((1e6, 10.0), (2e7, 100.0), (2e7, 10.0))]
+    assert rates[0]/ROUND_SILO_YIELD.value - 1 == pytest.approx(
+        0.0885, abs=2e-3)
+    assert rates[1] < 25 and rates[2] == pytest.approx(rates[1]/10, rel=0.02)
 
 
 @pytest.mark.parametrize("change, words", [

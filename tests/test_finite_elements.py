@@ -4,13 +4,14 @@ import numpy as np
 import pytest
 
 from cosserat.analytic import (
-    AnnularCouette, GravityChannel, Material, ShearLayer, SolCx)
-from cosserat.references import RELATIVES, SILO, SILO_SCENES, Silo
+    AnnularCouette, GravityChannel, Material, PipeFlow, ShearLayer, SolCx)
+from cosserat.references import (RELATIVES, ROUND_SILO, SILO, SILO_SCENES,
+                                 Silo)
 from cosserat.scenes.relatives import SCENES, RelativeCase, measure
 from cosserat.finiteElements import (Flow, Mesh, Wall, between, graded_lines,
                                      lines)
 from cosserat.finiteElements.relatives import relative_values
-from cosserat.finiteElements.silo import silo_rate
+from cosserat.finiteElements.silo import round_rate, silo_rate
 from cosserat.finiteElements.yielding import BinghamFlow
 from cosserat.yielding import layer_stress
 
@@ -92,6 +93,24 @@ def test_layer_that_yields():
 def circle(r):
     """Curve of angle."""
     return lambda s: (r*np.cos(s), r*np.sin(s))
+
+
+@pytest.mark.parametrize("R", [0.1, 0.3])
+def test_pipe(R):
+    """Around an axis: its rate, and the power of the force."""
+    m = Material(1.0, 1.0, R)
+    mesh = Mesh.tensor(np.linspace(0, 1, 9), np.linspace(0, 0.4, 4),
+                       periodic=(0, 0.4))
+    walls = [Wall(lambda x, y: x < 1e-6, normal=0, omega=0),
+             Wall(lambda x, y: x > 1 - 1e-6, u=(0, 0), omega=0)]
+    flow, other = (Flow(mesh, 4, m.eta, m.etaC, M, force=(0, 1), walls=walls,
+                        axial=True) for M in (m.M, 1.01*m.M))
+    exact = PipeFlow(m, 1, 1)
+    rate = -2*np.pi*flow.flux((0, 0), (1, 0))
+    assert rate == pytest.approx(exact.rate(), rel=1e-7)
+    assert flow.power() == pytest.approx(flow.dissipation(), rel=1e-8)
+    assert flow.power()*2*np.pi/0.4 == pytest.approx(exact.rate(), rel=1e-7)
+    assert abs(other.flux((0, 0), (1, 0))*2*np.pi/exact.rate() + 1) > 1e-4
 
 
 def test_annulus():
@@ -246,6 +265,12 @@ def test_silo(name):
 
 
 @pytest.mark.slow
+def test_round_silo():
+    """Its rate, by fewer rings and a lower degree."""
+    assert round_rate(SILO_SCENES["start, 2/3"], contact=1e-40) == (
+        pytest.approx(ROUND_SILO[2/3].value, rel=2.6e-3))
+
+
 def test_viscosity_of_the_silo_tells(monkeypatch):
     """One per cent of it spoils the flow rate."""
     monkeypatch.setattr(Silo, "ETA", 1.01*Silo.ETA)

@@ -9,6 +9,8 @@ from PIL import Image
 
 from cosserat import picture
 from cosserat.case import Case, TUTORIALS
+from cosserat.mirrored import opened
+from cosserat.scenes.axialFlows import narrowing_pipe
 
 
 @pytest.fixture(name="slump", scope="module")
@@ -127,3 +129,25 @@ def test_what_is_not_there(slump, tmp_path, monkeypatch, capsys, options,
     with pytest.raises(SystemExit):
         draw(monkeypatch, slump, tmp_path/"x.png", *options)
     assert words in capsys.readouterr().err
+
+
+def test_wedges_are_mirrored(tmp_path, monkeypatch):
+    """Cells, points and fields of both halves; omega about the normal of the
+    plane, which turns round behind the axis."""
+    pipe = narrowing_pipe(tmp_path/"case", 4, steps=2)
+    both = opened(pipe.path)
+    n = pipe.n_cells()
+    assert len(both.polygons()) == 2*n == len(both.field("U"))
+    assert np.allclose(both.centres()[n:], pipe.centres()*[1, -1, 1])
+    assert np.allclose(both.field("U")[n:], pipe.field("U")*[1, -1, 1])
+    assert np.allclose(both.field("omega")[n:], -pipe.field("omega"))
+    assert np.allclose(both.field("p")[n:], pipe.field("p"))
+    y = both.cloud("positions")[:, 1]
+    assert len(y) == 2*len(pipe.cloud("dye")) and abs(y.sum()) < 1e-9
+    assert opened(pipe.path, half=True).n_cells() == n
+    shapes = []
+    for options in ([], ["-half"]):
+        draw(monkeypatch, pipe, tmp_path/"a.png", "-field", "U", "-arrows",
+             *options)
+        shapes.append(imread(tmp_path/"a.png").shape)
+    assert shapes[0][0] > 1.3*shapes[1][0]

@@ -8,6 +8,7 @@ import pytest
 from scipy.spatial import cKDTree
 
 from cosserat.case import TUTORIALS, Case
+from cosserat.scenes.roundSilo import round_mesh
 from cosserat.scenes.silo import mesh_entries
 
 #: Cells by tutorial; without an entry as they are
@@ -18,6 +19,7 @@ MESH = {
     "channelArrest": {"n": 24},
     "columnSlump": {"nx": 16, "ny": 8},
     "conicalHopper": {"n": 8, "nAlong": 12},
+    "cylindricalSilo": round_mesh(4),
     "dune": {"nx": 32, "ny": 16},
     "gravityChannel": {"n": 8},
     "heap": {"nx": 16, "ny": 8},

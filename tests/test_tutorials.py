@@ -253,8 +253,8 @@ def test_template_becomes_a_case(tmp_path):
     assert energy == pytest.approx(work, rel=5e-3)
 
 
-#: Its minute is spent in test_silo.py, on fewer cells
-LONG = {"silo"}
+#: Their minutes are spent in test_silo.py and test_axisymmetric.py, on fewer cells
+LONG = {"silo", "cylindricalSilo"}
 
 
 @pytest.mark.slow

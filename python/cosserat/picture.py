@@ -267,7 +267,7 @@ def outflow(case, name="discharge"):
     return case.table(name, "materialOutflow.dat")
 
 
-def discharge(cases, labels, volume, file):
+def discharge(cases, labels, volume, file, unit="m$^2$"):
     """Outgoing volume against time, as the paper's Figure 11."""
     figure, axes = plt.subplots(figsize=(6, 4.2), dpi=130)
     for case, label in zip(cases, labels):
@@ -275,7 +275,7 @@ def discharge(cases, labels, volume, file):
         axes.plot(rows[:, 0]*1e3, rows[:, 1], label=label)
     axes.axhline(volume, color="grey", lw=0.8, ls=":")
     axes.set_xlabel("time [ms]")
-    axes.set_ylabel("granular volume below the fill [m$^2$]")
+    axes.set_ylabel(f"granular volume below the fill [{unit}]")
     axes.set_xlim(left=0)
     axes.set_ylim(bottom=0)
     axes.grid(alpha=0.3)

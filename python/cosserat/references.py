@@ -120,6 +120,12 @@ ROUND_SILO = {alpha: Reference(
     for alpha, value, uncertainty in ((0, 4172.0, 0.5), (2/3, 2851.2, 0.5))}
 
 
+#: The same of a fill that yields as that of SILO_YIELD
+ROUND_SILO_YIELD = Reference(
+    2356.0, "m3/s", 2.0, "finite elements of degree 3 and 4, rings down to 1e-40 of"
+    " a cell: cosserat.finiteElements.silo, round_rate(scene, 4, tauY=1e6)")
+
+
 def _relatives(rows):
     return {(scene, quantity): Reference(
         value, {"flux": "m2/s", "u": "m/s", "omega": "1/s"}[quantity],

@@ -6,7 +6,8 @@ from cosserat.references import ROUND_SILO
 from cosserat.results import add_orders
 from cosserat.scenes import roundSilo
 from cosserat.scenes.axialFlows import (cone, conical, core, manufactured,
-                                        off_the_ways, pipe, sphere)
+                                        off_the_ways, pipe, points_sphere,
+                                        sphere)
 from studies.common import HERE, new_case
 
 CELLS = [12, 24, 48]
@@ -61,6 +62,9 @@ def study():
         rows += own
     for mesh in ({}, {"triangles": True}):
         rows += [ways(n, **mesh) for n in (8, 16, 32)]
+    for R in (0.1, 1.0):
+        rows += [points_sphere(HERE/"runs/axisymmetric"/f"sphere_{n}_{R}", n, R)
+                 for n in (8, 16, 32)]
     for alpha in ROUND_SILO:
         rows += [silo(n, alpha, corners) for corners in (True, False)
                  for n in (8, 16, 32)]

@@ -93,6 +93,37 @@ def sphere(path, n, R, free=False, ratio=4.0):
                R=R, wall="free" if free else "rough")
 
 
+def points_sphere(path, n, R, stiffness=1e4):
+    """Drag of a sphere of stiff points in n cells a radius, which its weight
+    holds in the exact flow at 3 radii, over Stokes'. It stays where it is but for
+    the error, a speed over that of the flow."""
+    material = Material(1.0, 1.0, R)
+    exact = SphereFlow(material, 1.0, 1.0)
+
+    def given(x, y):
+        return np.array(exact.fields(x, y)[:2])
+
+    side = (given, "type zeroGradient;", lambda x, y: exact.fields(x, y)[3])
+    case = AxialCase(
+        path, lambda s, t: (6*s - 3, 3*t), (6*n, 3*n),
+        dict.fromkeys(("left", "right", "top"), side),
+        {"a": entries(material),
+         "b": {"eta": stiffness, "etaC": stiffness, "R": R,
+               "rho": 4.5*exact.over_stokes()}},
+        g=(-1, 0, 0), tolerance=1e-7, average="layered")
+    add_points(case, ALL + " { type disc; material b; centre (0 0 0);"
+               " radius 1; }", inflow="{ left { material a; }"
+               " top { material a; } right { material a; } }")
+    case.run("cosseratPicFoam")
+    time = case.times()[0]
+    part, V = case.field("alpha.b", time), case.volumes()
+    inside = V*(part > 0.999)
+    speed = (inside*case.field("U", time)[:, 0]).sum()/inside.sum()
+    weight = (V*part).sum()*case.to_circle/(4/3*np.pi)
+    return row("pointsSphere", case, {"cells": len(V)},
+               exact.over_stokes()*weight/(1 - speed), exact.over_stokes(), R=R)
+
+
 def cone(path, n, half=25.0, power=None):
     """Sink flow in a cone with walls that slip; the value is the largest
     difference of pressures over that of the viscous stress, which is zero; of a

@@ -5,6 +5,7 @@ import numpy as np
 
 from cosserat.case import FILES
 from cosserat.scenes.silo import mesh_entries
+from cosserat.scenes.siloYield import give_yield
 
 
 def round_mesh(cells):
@@ -28,6 +29,13 @@ def prepare(case, cells, alpha=2/3, corners=True):
     if not corners:
         case.override("solution", creepingFlow="{ corners off; }")
     case.run("blockMesh")
+    return case
+
+
+def yielding(case, cells, tauY, eps):
+    """Solve the start of a copy of the tutorial whose fill yields at tauY [Pa]."""
+    give_yield(case, tauY, eps)
+    prepare(case, cells).run("cosseratPicFoam")
     return case
 
 

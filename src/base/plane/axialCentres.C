@@ -25,7 +25,15 @@ License
 #include "axialSymmetry.H"
 #include "fvMesh.H"
 #include "planarCells.H"
+#include "vectorIOField.H"
 #include "wedgePolyPatch.H"
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
+
+//- OpenFOAM's centres in the registry of the mesh
+static const Foam::word keptName("volumeCentres");
+
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -81,6 +89,14 @@ void Foam::axialCentres(fvMesh& mesh)
     vectorField& Cf = const_cast<vectorField&>(mesh.faceCentres());
     vectorField& C = const_cast<vectorField&>(mesh.cellCentres());
 
+    mesh.thisDb().store
+    (
+        new vectorIOField
+        (
+            IOobject(keptName, mesh.time().constant(), mesh), C
+        )
+    );
+
     const planarCells cells(mesh);
     forAll(C, celli)
     {
@@ -111,6 +127,17 @@ void Foam::axialCentres(fvMesh& mesh)
     (
         mesh.points()
     );
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::volumeCentres::exchange()
+{
+    vectorField& kept = mesh_.thisDb().lookupObjectRef<vectorIOField>(keptName);
+    vectorField& C = const_cast<vectorField&>(mesh_.cellCentres());
+
+    std::swap_ranges(C.begin(), C.end(), kept.begin());
 }
 
 

@@ -189,6 +189,7 @@ Foam::materialPointCloud::materialPointCloud
     population_(mesh_, dict_, seeding_.pointsPerCell()),
     velocity_(pointVelocity::New(dict_, coupling_->U(), coupling_->phi())),
     walk_(),
+    files_(mesh_),
     inflow_(U, materials, dict_, seeding_.pointsPerCell()),
     correction_(dict_),
     account_()
@@ -216,6 +217,7 @@ Foam::materialPointCloud::materialPointCloud
     particle::writeLagrangianPositions = true;
 
     materialPoint::readFields(*this);
+    files_.read(*this);
     renumberMaterials();
     checkRead();
     properties_.read(*this);
@@ -455,7 +457,12 @@ void Foam::materialPointCloud::summary
 
 void Foam::materialPointCloud::writeFields() const
 {
-    materialPoint::writeFields(*this);
+    // The same points, in other tetrahedra for a while
+    files_.write
+    (
+        const_cast<materialPointCloud&>(*this),
+        [&]() { materialPoint::writeFields(*this); }
+    );
     properties_.write(*this);
     materialNames::write(mesh_, materials_);
 }

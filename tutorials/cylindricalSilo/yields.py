@@ -1,0 +1,10 @@
+#!/usr/bin/env python3
+"""The round silo whose fill yields, beside the viscous one: runs in results/, and
+a picture with what stagnates outlined."""
+
+from pathlib import Path
+
+from cosserat.case import Case
+from cosserat.scenes.siloYield import compare
+
+compare(Case(Path(__file__).resolve().parent), (0, 0.1, 2), 5e-3, {}, "m3")
