@@ -3,6 +3,7 @@ slot's corners refined, a disc with its surface, a cavity with the lid's ends or
 by the error indicator."""
 
 import matplotlib.pyplot as plt
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from cosserat.scenes.levels import SLOT, corners, disc, lid, silo, surface
 from studies.common import HERE, new_case, save
@@ -85,6 +86,10 @@ def draw(rows):
         axis.set_title(scene, fontsize=9)
         axis.set_xlabel("time of a run [s]", fontsize=8)
         axis.set_ylabel("error [%]", fontsize=8)
+        for side in (axis.xaxis, axis.yaxis):
+            side.set_major_locator(LogLocator(subs=(1, 2, 5)))
+            side.set_major_formatter("{x:g}")
+            side.set_minor_formatter(NullFormatter())
         axis.grid(alpha=0.3)
         axis.legend(fontsize=7)
     save(figure, "refinement")

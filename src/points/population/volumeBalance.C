@@ -475,7 +475,14 @@ Foam::label Foam::volumeBalance::apply
         {
             checkReach(fill);
         }
-        nAdded += handOn(points, meetings(fill, compressible), filled);
+
+        // Cells may be too empty where none around has more to give
+        const DynamicList<meeting> places(meetings(fill, compressible));
+        if (!returnReduce(places.size() > 0, orOp<bool>()))
+        {
+            break;
+        }
+        nAdded += handOn(points, places, filled);
     }
 
     return nAdded;

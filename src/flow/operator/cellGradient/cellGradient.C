@@ -102,7 +102,11 @@ void Foam::cellGradient::addWallSpeed
 }
 
 
-void Foam::cellGradient::calcRotation(operatorState& s) const
+void Foam::cellGradient::calcRotation
+(
+    operatorState& s,
+    const bool everywhere
+) const
 {
     s.gradOmega = Zero;
 
@@ -112,24 +116,36 @@ void Foam::cellGradient::calcRotation(operatorState& s) const
         s.gradOmega[celli] += (omega - s.omega[celli])*S;
     };
 
-    mesh_.forTwoSided
-    (
-        [&](const label f)
+    auto addFace = [&](const label f)
+    {
+        // No couple passes where M is zero on one side, nor has omega a meaning
+        // there
+        if (K_.rotation(f).Km > 0)
         {
-            // No couple passes where M is zero on one side, nor has omega a
-            // meaning there
-            if (K_.rotation(f).Km > 0)
-            {
-                const planarFace& face = mesh_[f];
-                const vector2D S(mesh_.edge(f)*face.n);
-                const scalar omega =
-                    face.w*s.omega[face.own]
-                  + (1 - face.w)*s.omega[face.nei];
-                add(face.own, S, omega);
-                add(face.nei, -S, omega);
-            }
+            const planarFace& face = mesh_[f];
+            const vector2D S(mesh_.edge(f)*face.n);
+            const scalar omega =
+                face.w*s.omega[face.own] + (1 - face.w)*s.omega[face.nei];
+            add(face.own, S, omega);
+            add(face.nei, -S, omega);
         }
-    );
+    };
+    auto setCell = [&](const label celli)
+    {
+        s.gradOmega[celli] = mesh_.gradient(celli, s.gradOmega[celli]);
+    };
+
+    if (everywhere)
+    {
+        mesh_.forTwoSided(addFace);
+    }
+    else
+    {
+        for (const label f : mesh_.leaning().faces)
+        {
+            addFace(f);
+        }
+    }
     for (const label f : mesh_.oneSided())
     {
         const planarFace& face = mesh_[f];
@@ -140,9 +156,19 @@ void Foam::cellGradient::calcRotation(operatorState& s) const
         add(axis.celli, axis.S, 0);
     }
 
-    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    if (everywhere)
     {
-        s.gradOmega[celli] = mesh_.gradient(celli, s.gradOmega[celli]);
+        for (label celli = 0; celli < mesh_.nCells(); ++celli)
+        {
+            setCell(celli);
+        }
+    }
+    else
+    {
+        for (const label celli : mesh_.leaning().cells)
+        {
+            setCell(celli);
+        }
     }
     mesh_.halo().swap(s.gradOmega);
 }
@@ -202,7 +228,7 @@ void Foam::cellGradient::correctRotation
     if (!boundary_.rotationFixed(i))
     {
         change = -0.5*curvature;
-        if (mesh_.nonOrthogonal())
+        if (mesh_.leans(f))
         {
             change -= d*(face.k() & s.gradOmega[P]);
         }
@@ -288,19 +314,16 @@ void Foam::cellGradient::addFaceAdjoint
     scalarField& r
 ) const
 {
-    mesh_.forTwoSided
-    (
-        [&](const label f)
-        {
-            const planarFace& face = mesh_[f];
-            const vector2D b
-            (
-                mesh_.edge(f)*(face.n & (B[face.own] - B[face.nei]))
-            );
-            all.addForce(r, face.own, face.w*b);
-            all.addForce(r, face.nei, (1 - face.w)*b);
-        }
-    );
+    for (const label f : mesh_.aroundAdjoint().faces)
+    {
+        const planarFace& face = mesh_[f];
+        const vector2D b
+        (
+            mesh_.edge(f)*(face.n & (B[face.own] - B[face.nei]))
+        );
+        all.addForce(r, face.own, face.w*b);
+        all.addForce(r, face.nei, (1 - face.w)*b);
+    }
 
     for (const axisEdge& axis : mesh_.axisEdges())
     {
@@ -435,7 +458,7 @@ void Foam::cellGradient::calc(operatorState& s, const bool driven) const
     gauss(s);
     if (s.gradOmega.size())
     {
-        calcRotation(s);
+        calcRotation(s, driven || s.followed);
     }
     weight(s);
 
@@ -461,7 +484,7 @@ void Foam::cellGradient::addAdjoint
     {
         B[cell.celli] = transposedProduct(cell.inverse, B[cell.celli]);
     }
-    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    for (const label celli : mesh_.aroundAdjoint().cells)
     {
         B[celli] = mesh_.gradientAdjoint(celli, B[celli]);
     }

@@ -183,7 +183,7 @@ Foam::scalar Foam::cosseratSystem::flux
     const scalar wP = K_[f].wStiff, wN = 1 - wP;
 
     vector2D u(wP*s.u[P] + wN*s.u[N]);
-    if (K_.anyFluxOffset())
+    if (mesh_.leans(f) && K_.anyFluxOffset())
     {
         u += K_.fluxOffset(f) & (wP*s.G[P] + wN*s.G[N]);
     }

@@ -33,6 +33,9 @@ License
 //- cells around that take it with them
 static const Foam::scalar verySkewed = 0.1, slightlySkewed = 0.01;
 
+//- Skewness or tangent of the angle of a face that are rounding
+static const Foam::scalar rounding = 1e-9;
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -195,6 +198,7 @@ void Foam::faceGeometry::classify()
 {
     scalar angle = 0, largest = 0;
     scalarField skewness(nSlots(), Zero);
+    boolList lean(nSlots(), false);
     forAll(faces_, f)
     {
         const planarFace& face = faces_[f];
@@ -203,6 +207,10 @@ void Foam::faceGeometry::classify()
         largest = max(largest, off);
         skewness[face.own] = max(skewness[face.own], off);
         skewness[face.nei] = max(skewness[face.nei], off);
+
+        leans_[f] = max(mag(face.k()), off) > rounding;
+        lean[face.own] = lean[face.own] || leans_[f];
+        lean[face.nei] = lean[face.nei] || leans_[f];
     }
 
     // Beyond rounding
@@ -210,9 +218,14 @@ void Foam::faceGeometry::classify()
     nonOrthogonal_ = skewed_ || returnReduce(angle, maxOp<scalar>()) > 1e-5;
     anyAdjoint_ = returnReduce(largest, maxOp<scalar>()) > verySkewed;
 
+    if (nonOrthogonal_)
+    {
+        leaning_ = part(lean);
+    }
     if (anyAdjoint_)
     {
         setAdjoint(skewness);
+        setAroundAdjoint();
     }
 }
 
@@ -260,6 +273,62 @@ void Foam::faceGeometry::setAdjoint(const scalarField& skewness)
     {
         adjoint_[celli] = taken[celli] > 0;
     }
+}
+
+
+Foam::partOfMesh Foam::faceGeometry::part(const boolList& taken) const
+{
+    DynamicList<label> cells, faces;
+    for (label celli = 0; celli < nCells_; ++celli)
+    {
+        if (taken[celli])
+        {
+            cells.append(celli);
+        }
+    }
+    forTwoSided
+    (
+        [&](const label f)
+        {
+            const label P = faces_[f].own, N = faces_[f].nei;
+            if (taken[P] || (N < nCells_ && taken[N]))
+            {
+                faces.append(f);
+            }
+        }
+    );
+
+    partOfMesh found;
+    found.cells.transfer(cells);
+    found.faces.transfer(faces);
+    return found;
+}
+
+
+void Foam::faceGeometry::setAroundAdjoint()
+{
+    scalarField own(nSlots(), Zero);
+    forAll(adjoint_, celli)
+    {
+        own[celli] = adjoint_[celli];
+    }
+    halo_.swap(own);
+
+    boolList taken(nSlots(), false);
+    forAll(adjoint_, celli)
+    {
+        taken[celli] = adjoint_[celli];
+    }
+    forTwoSided
+    (
+        [&](const label f)
+        {
+            const label P = faces_[f].own, N = faces_[f].nei;
+            taken[P] = taken[P] || own[N] > 0;
+            taken[N] = taken[N] || own[P] > 0;
+        }
+    );
+    aroundAdjoint_ = part(taken);
 }
 
 
@@ -323,6 +392,7 @@ Foam::faceGeometry::faceGeometry
     offset_(faces_.size(), Zero),
     nonOrthogonal_(false),
     skewed_(false),
+    leans_(faces_.size(), false),
     adjoint_(nCells_, false),
     anyAdjoint_(false),
     radial_(Zero),

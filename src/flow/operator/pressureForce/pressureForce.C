@@ -189,33 +189,27 @@ void Foam::pressureForce::addAdjoint
     // Work of the pressure differences on the part of the fluxes that the
     // gradients of cells make
     Field<tensor2D> B(mesh_.nSlots(), Zero);
-    mesh_.forTwoSided
-    (
-        [&](const label f)
-        {
-            const planarFace& face = mesh_[f];
-            const scalar wP = K_[f].wStiff;
-            const tensor2D b
-            (
-                face.S*s.faceForce[f]/face.dc*(K_.fluxOffset(f)*face.n)
-            );
-            B[face.own] += wP*b;
-            B[face.nei] += (1 - wP)*b;
-        }
-    );
+    for (const label f : mesh_.aroundAdjoint().faces)
+    {
+        const planarFace& face = mesh_[f];
+        const scalar wP = K_[f].wStiff;
+        const tensor2D b
+        (
+            face.S*s.faceForce[f]/face.dc*(K_.fluxOffset(f)*face.n)
+        );
+        B[face.own] += wP*b;
+        B[face.nei] += (1 - wP)*b;
+    }
     gradient_.addAdjoint(B, all, r);
 
-    mesh_.forTwoSided
-    (
-        [&](const label f)
-        {
-            const planarFace& face = mesh_[f];
-            const scalar wP = K_[f].wStiff;
-            const vector2D F(face.S*s.faceForce[f]/face.dc*face.n);
-            all.addForce(r, face.own, wP*F);
-            all.addForce(r, face.nei, (1 - wP)*F);
-        }
-    );
+    for (const label f : mesh_.aroundAdjoint().faces)
+    {
+        const planarFace& face = mesh_[f];
+        const scalar wP = K_[f].wStiff;
+        const vector2D F(face.S*s.faceForce[f]/face.dc*face.n);
+        all.addForce(r, face.own, wP*F);
+        all.addForce(r, face.nei, (1 - wP)*F);
+    }
     for (const label f : mesh_.oneSided())
     {
         const planarFace& face = mesh_[f];

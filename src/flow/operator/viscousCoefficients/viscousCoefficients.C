@@ -302,8 +302,12 @@ void Foam::viscousCoefficients::set
     forAll(fluxOffset_, f)
     {
         const planarFace& face = mesh_[f];
-        fluxOffset_[f] =
-            mesh_.offset(f) + (face.w - faces_[f].wStiff)/face.dc*face.k();
+        if (mesh_.leans(f))
+        {
+            fluxOffset_[f] =
+                mesh_.offset(f)
+              + (face.w - faces_[f].wStiff)/face.dc*face.k();
+        }
     }
     forAll(faceOverRest_, f)
     {

@@ -35,7 +35,7 @@ Foam::vector2D Foam::viscousForce::difference
     const label P = face.own, N = face.nei;
     vector2D d(s.u[N] - s.u[P]);
 
-    if (mesh_.nonOrthogonal())
+    if (mesh_.leans(f))
     {
         // Along the face u is that of the stiff side
         const scalar wP = K_[f].wStiff, wN = 1 - wP;
@@ -90,7 +90,7 @@ Foam::vector2D Foam::viscousForce::onFace
         const cosseratFace& Kr = K_.rotation(f);
         Ft += Kr.KwP*s.omega[P] + Kr.KwN*s.omega[N]
             + Kr.KsP*s.relativeRotation(P) + Kr.KsN*s.relativeRotation(N);
-        if (mesh_.skewed())
+        if (mesh_.leans(f))
         {
             Ft += mesh_.offset(f)
               & (Kr.KwP*s.gradOmega[P] + Kr.KwN*s.gradOmega[N]);
@@ -134,7 +134,7 @@ Foam::vector2D Foam::viscousForce::onWall
     }
 
     vector2D d(s.u[face.nei] - s.u[P]);
-    if (mesh_.nonOrthogonal())
+    if (mesh_.leans(f))
     {
         d += (face.k()/face.dc) & s.G[P];
     }
@@ -189,7 +189,7 @@ Foam::scalar Foam::viscousForce::coupleOnFace
     const label P = face.own, N = face.nei;
     scalar d = s.omega[N] - s.omega[P];
 
-    if (mesh_.nonOrthogonal())
+    if (mesh_.leans(f))
     {
         d += (face.k()/face.dc)
           & (face.w*s.gradOmega[P] + (1 - face.w)*s.gradOmega[N]);
@@ -228,7 +228,7 @@ Foam::scalar Foam::viscousForce::coupleOnWall
     // The difference is the gradient halfway to the wall; the moment balance
     // M omega,nn = 4 etaC s takes it to the wall
     scalar d = s.omega[face.nei] - s.omega[P];
-    if (mesh_.nonOrthogonal())
+    if (mesh_.leans(f))
     {
         d += (face.k()/face.dc) & s.gradOmega[P];
     }
