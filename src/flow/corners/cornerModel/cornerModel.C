@@ -22,7 +22,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cornerModel.H"
-#include "axialSymmetry.H"
 #include "sparseEntries.H"
 #include "openfoamVersion.H"
 #include "unitConversion.H"
@@ -125,6 +124,7 @@ Foam::cornerModel::cornerModel
     mesh_(mesh),
     frame_(frame),
     boundary_(boundary),
+    axial_(mesh),
     corners_
     (
         wanted
@@ -155,13 +155,12 @@ Foam::cornerModel::cornerModel
         starts_[i + 1] = starts_[i] + corner.cells().size();
     }
 
-    const axialSymmetry axial(mesh);
-    forAll(depth_, i)
+    if (axial_.active())
     {
-        if (axial.active())
+        forAll(depth_, i)
         {
             const point vertex(frame.inSpace(corners_[i].vertex()));
-            depth_[i] = axial.angle()*axial.radius(vertex);
+            depth_[i] = axial_.angle()*axial_.radius(vertex);
         }
     }
 }

@@ -229,6 +229,18 @@ bool Foam::cornerModel::hasOtherWall
 {
     const wallCorner& corner = corners_[corneri];
 
+    // The axis is one
+    if (axial_.active())
+    {
+        for (const label pointi : mesh_.cellPoints()[celli])
+        {
+            if (axial_.radius(mesh_.points()[pointi]) < 1e-6*corner.size())
+            {
+                return true;
+            }
+        }
+    }
+
     for (const label facei : mesh_.cells()[celli])
     {
         if (!mesh_.isInternalFace(facei))
