@@ -77,8 +77,11 @@ def draw_gain(rows):
             if key == "cells":
                 row = next(r for r in cells if r is not start)
             else:
-                row = next(r for r in rows if r["scene"] == scene
-                           and r["varied"] == key and r[key] == value)
+                row = next((r for r in rows if r["scene"] == scene
+                            and r["varied"] == key and r[key] == value), start)
+            if row is start:
+                axis.text(1, i, "default", fontsize=6, va="center")
+                continue
             if row["error"] is None:
                 axis.text(1, i, row["status"][:24], fontsize=6, va="center",
                           color="C3")
