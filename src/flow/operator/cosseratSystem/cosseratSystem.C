@@ -86,13 +86,13 @@ void Foam::cosseratSystem::setCorners
 {
     corners_.setMaterials(eta, etaC, M, materials_.invB().primitiveField());
 
-    // Seen from close by the edge of a ring is straight
-    flatten(true);
-
     operatorState s(newState());
     scalarField etaAround(eta), etaCAround(etaC), MAround(M);
     while (corners_.takeJobs(etaAround, etaCAround, MAround))
     {
+        // Seen from close by the edge of a ring is straight
+        flatten(true);
+
         setViscosities(etaAround, etaCAround, MAround, nullptr);
         corners_.doJobs
         (
@@ -101,9 +101,9 @@ void Foam::cosseratSystem::setCorners
                 plainResidual(x, false, false, s, r);
             }
         );
-    }
 
-    flatten(false);
+        flatten(false);
+    }
 }
 
 
