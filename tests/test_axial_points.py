@@ -10,7 +10,7 @@ import pytest
 
 from cosserat.analytic import Material
 from cosserat.scenes.axial import AxialCase
-from cosserat.scenes.axialFlows import (ALL, GIVEN, SLIP, conical, entries,
+from cosserat.scenes.axialFlows import (ALL, SLIP, STILL, conical, entries,
                                         narrowing_pipe, narrows,
                                         off_the_ways, points_sphere)
 from cosserat.scenes.box import account, add_points
@@ -34,7 +34,7 @@ def kernel(case):
 
 def drawn(path, **options):
     """A cylinder drawn out along its axis, at rest in no place."""
-    given = (lambda x, y: LINEAR @ np.array([x, y]), *GIVEN[1:])
+    given = (lambda x, y: LINEAR @ np.array([x, y]), *STILL[1:])
     case = AxialCase(path, block, (8, 8),
                      {side: given for side in ("left", "right", "top")}, ONE,
                      **options)

@@ -5,6 +5,6 @@ a picture with what stagnates outlined."""
 from pathlib import Path
 
 from cosserat.case import Case
-from cosserat.scenes.siloYield import compare
+from cosserat.yieldPictures import compare
 
 compare(Case(Path(__file__).resolve().parent), (0, 0.1, 2), 5e-3, {}, "m3")

@@ -6,6 +6,6 @@ from pathlib import Path
 
 from cosserat.case import Case
 from cosserat.scenes.silo import COARSE
-from cosserat.scenes.siloYield import compare
+from cosserat.yieldPictures import compare
 
 compare(Case(Path(__file__).resolve().parent), (0, 0.1, 2), 9.5e-4, COARSE, "m2")

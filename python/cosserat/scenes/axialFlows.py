@@ -12,12 +12,13 @@ from cosserat.scenes.box import add_points
 STILL = ("type noSlip;", "type zeroGradient;",
          "type fixedValue; value uniform 0;")
 FREE = ("type noSlip;", "type zeroGradient;", "type zeroGradient;")
-GIVEN = ("type fixedValue; value uniform (0 0 0);", "type zeroGradient;",
-         "type fixedValue; value uniform 0;")
 SLIP = ("type slip;", "type zeroGradient;", "type zeroGradient;")
 
 #: A region of points
 ALL = "{ type all; material a; }"
+
+#: The material in cones
+COSSERAT = Material(1.0, 1.0, 0.3)
 
 #: Materials of the manufactured solution
 MIXED = {"a": Material(1.0, 2.0, 0.2), "b": Material(3.0, 1.0, 0.4)}
@@ -124,24 +125,30 @@ def points_sphere(path, n, R, stiffness=1e4):
                exact.over_stokes()*weight/(1 - speed), exact.over_stokes(), R=R)
 
 
+def cone_case(path, n, half, material, **options):
+    """A cone of n x n/2 cells, half its angle in degrees, with the sink flow
+    given at both ends and a wall that slips."""
+    def shape(s, t):
+        angle = np.radians(half)*t
+        return ((1 + s)*np.cos(angle),
+                np.where(t == 0, 0, (1 + s)*np.sin(angle)))
+
+    given = (ConeFlow().u, *STILL[1:])
+    return AxialCase(path, shape, (n, n//2),
+                     {"left": given, "right": given, "top": SLIP},
+                     {"a": material}, tolerance=1e-8, **options)
+
+
 def cone(path, n, half=25.0, power=None):
     """Sink flow in a cone with walls that slip; the value is the largest
     difference of pressures over that of the viscous stress, which is zero; of a
     power law it is the error of the pressure over its difference."""
     exact = ConeFlow()
 
-    def shape(s, t):
-        angle = np.radians(half)*t
-        return ((1 + s)*np.cos(angle),
-                np.where(t == 0, 0, (1 + s)*np.sin(angle)))
-
-    given = (exact.u, "type zeroGradient;", "type fixedValue; value uniform 0;")
-    case = AxialCase(path, shape, (n, n//2),
-                     {"left": given, "right": given, "top": SLIP},
-                     {"a": entries(Material(1.0, 1.0, 0.3)) if power is None
-                      else {"law": "powerLaw", "coeffs": f"K 1; n {power};"
-                            " eps 1e-8; etaCRatio 0; R 0; B infinite;"}},
-                     tolerance=1e-8)
+    case = cone_case(
+        path, n, half, entries(COSSERAT) if power is None else {
+            "law": "powerLaw", "coeffs": f"K 1; n {power}; eps 1e-8;"
+            " etaCRatio 0; R 0; B infinite;"})
     errors = case.solve_and_compare(exact.u)
     if power is not None:
         p = exact.p(*case.middles(), power)
@@ -155,18 +162,7 @@ def cone(path, n, half=25.0, power=None):
 
 def conical(path, n, half=25.0, end=0.3, **options):
     """The same with points, of which 25 are followed for a time [s]."""
-    exact = ConeFlow()
-
-    def shape(s, t):
-        angle = np.radians(half)*t
-        return ((1 + s)*np.cos(angle),
-                np.where(t == 0, 0, (1 + s)*np.sin(angle)))
-
-    given = (exact.u, *GIVEN[1:])
-    case = AxialCase(path, shape, (n, n//2),
-                     {"left": given, "right": given, "top": SLIP},
-                     {"a": entries(Material(1.0, 1.0, 0.3))}, tolerance=1e-8,
-                     **options)
+    case = cone_case(path, n, half, entries(COSSERAT), **options)
     add_points(case, ALL, minPointsPerCell=1)
     steps = 10*n//8
     case.step(end/steps, steps)
@@ -199,7 +195,7 @@ def narrowing_pipe(path, n, steps, co=0.5, run=True, triangles=False,
                    **points):
     """Points in a flow through that pipe, along its wall, 1 m/s at the start,
     3n x n cells; entries of materialPointsProperties."""
-    enter = ("type fixedValue; value uniform (1 0 0);", *GIVEN[1:])
+    enter = ("type fixedValue; value uniform (1 0 0);", *STILL[1:])
     leave = ("type zeroGradient;", "type fixedValue; value uniform 0;",
              "type zeroGradient;")
     case = AxialCase(path, lambda s, t: (3*s, t*narrows(3*s)), (3*n, n),

@@ -4,7 +4,7 @@ rate."""
 import numpy as np
 
 from cosserat.case import FILES
-from cosserat.scenes.silo import mesh_entries
+from cosserat.scenes.silo import mesh_entries, solve_once
 from cosserat.scenes.siloYield import give_yield
 
 
@@ -16,18 +16,7 @@ def round_mesh(cells):
 def prepare(case, cells, alpha=2/3, corners=True):
     """Make a copy of the tutorial one solve of its start, meshed."""
     case.substitute(FILES["mesh"], round_mesh(cells))
-    case.substitute(FILES["control"], {
-        "endTime": 1e-9, "deltaT": 1e-9, "adjustTimeStep": "no",
-        "writeControl": "timeStep", "writeInterval": 1, "writePrecision": 12})
-    case.substitute(FILES["solution"], {"tolerance": 1e-8})
-    case.substitute(FILES["points"], {"pointsPerCell": 4})
-    case.substitute(FILES["materials"], {"alpha": repr(float(alpha))})
-    if alpha == 0:
-        path = case.path/FILES["materials"]
-        path.write_text(path.read_text().replace("1000;\n            R",
-                                                 "0;\n            R"))
-    if not corners:
-        case.override("solution", creepingFlow="{ corners off; }")
+    solve_once(case, alpha, corners)
     case.run("blockMesh")
     return case
 

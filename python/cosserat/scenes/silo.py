@@ -47,23 +47,32 @@ def reshape(case, silo, cells):
                            rf"\g<1>{round(silo.floor*cells)} 1)", text))
 
 
-def prepare(case, silo, cells, corners=True, tolerance=1e-8):
-    """Make a copy of the tutorial one solve of a scene, without dye; meshed."""
-    reshape(case, silo, cells)
+def solve_once(case, alpha, corners=True, tolerance=1e-8):
+    """Make a copy of the tutorial, or of the round one, one solve of its start
+    with the internal length alpha; 0: classical."""
     case.substitute(FILES["control"], {
-        "endTime": 1e-9, "deltaT": 1e-9, "adjustTimeStep": "no",
+        "endTime": REST, "deltaT": REST, "adjustTimeStep": "no",
         "writeControl": "timeStep", "writeInterval": 1, "writePrecision": 12})
     case.substitute(FILES["solution"], {"tolerance": tolerance})
     if not corners:
         case.override("solution", creepingFlow="{ corners off; }")
 
     path = case.path/FILES["materials"]
-    text = path.read_text()
-    if silo.alpha == 0:
-        text = re.sub(r"etaC(\s+)1000;", r"etaC\g<1>0;", text)
-    text = re.sub(r"eta(\s+)1;", rf"eta\g<1>{silo.background};", text)
-    path.write_text(text)
-    case.substitute(FILES["materials"], {"alpha": repr(float(silo.alpha))})
+    if alpha == 0:
+        path.write_text(re.sub(r"etaC(\s+)1000;", r"etaC\g<1>0;",
+                               path.read_text()))
+    case.substitute(FILES["materials"], {"alpha": repr(float(alpha))})
+    case.substitute(FILES["points"], {"pointsPerCell": 4})
+
+
+def prepare(case, silo, cells, corners=True, tolerance=1e-8):
+    """Make a copy of the tutorial one solve of a scene, without dye; meshed."""
+    reshape(case, silo, cells)
+    solve_once(case, silo.alpha, corners, tolerance)
+
+    path = case.path/FILES["materials"]
+    path.write_text(re.sub(r"eta(\s+)1;", rf"eta\g<1>{silo.background};",
+                           path.read_text()))
 
     path = case.path/FILES["points"]
     text = re.sub(r"    dye\n    \(.*?\n    \);\n", "", path.read_text(),
@@ -78,7 +87,6 @@ def prepare(case, silo, cells, corners=True, tolerance=1e-8):
         }
     );""" % (-silo.aperture/2, -silo.floor, silo.aperture/2), 1)
     path.write_text(text)
-    case.substitute(FILES["points"], {"pointsPerCell": 4})
 
     if silo.rough:
         # A name prevails over the pattern
