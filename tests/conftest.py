@@ -15,6 +15,16 @@ from cosserat.scenes.box import Box
 
 cases.environment()
 
+# Of one minute and more each
+LONGEST = ("test_tutorials", "test_silo", "test_operator", "test_examples")
+
+
+def pytest_collection_modifyitems(config, items):
+    """Side by side the longest files come first, so that no worker waits for
+    the last one."""
+    if hasattr(config, "workerinput"):
+        items.sort(key=lambda item: item.path.stem not in LONGEST)
+
 
 @pytest.fixture(name="findings", scope="session")
 def findings_fixture(tmp_path_factory):

@@ -163,9 +163,8 @@ static void refineAll
 }
 
 
-// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
-
-int main(int argc, char *argv[])
+//- What the program does and takes
+static void addOptions()
 {
     argList::addNote
     (
@@ -182,6 +181,50 @@ int main(int argc, char *argv[])
     (
         "dict", "file", "Another dictionary than system/refineSceneDict"
     );
+}
+
+
+//- The dictionary of a call
+static IOdictionary readDict(const argList& args, const Time& runTime)
+{
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            args.found("dict")
+          ? args.opt<fileName>("dict")
+          : fileName(runTime.system()/"refineSceneDict"),
+            runTime,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    // Others may be variables, such as those of a preset
+    checkedEntry::reportUnread(dict, {"refine", "maxCells"});
+
+    return dict;
+}
+
+
+//- Move on to the time after the start, with the names of its points
+static void nextTime(Time& runTime)
+{
+    const fileName names(runTime.timePath()/"uniform"/cloud::prefix);
+    ++runTime;
+    if (isDir(names))
+    {
+        mkDir(runTime.timePath()/"uniform");
+        cp(names, runTime.timePath()/"uniform");
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    addOptions();
 
     #include "setRootCase.H"
     #include "createTime.H"
@@ -203,22 +246,7 @@ int main(int argc, char *argv[])
             << exit(FatalError);
     }
 
-    const IOdictionary dict
-    (
-        IOobject
-        (
-            args.found("dict")
-          ? args.opt<fileName>("dict")
-          : fileName(runTime.system()/"refineSceneDict"),
-            runTime,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
-    );
-    // Others may be variables, such as those of a preset
-    checkedEntry::reportUnread(dict, {"refine", "maxCells"});
-
+    const IOdictionary dict(readDict(args, runTime));
     const bool overwrite = args.found("overwrite");
     const fileName place
     (
@@ -264,17 +292,8 @@ int main(int argc, char *argv[])
     }
     else
     {
-        const fileName names
-        (
-            runTime.timePath()/"uniform"/cloud::prefix
-        );
-        ++runTime;
+        nextTime(runTime);
         mesh.setInstance(runTime.timeName());
-        if (isDir(names))
-        {
-            mkDir(runTime.timePath()/"uniform");
-            cp(names, runTime.timePath()/"uniform");
-        }
     }
     mesh.write();
     scene.write();

@@ -23,6 +23,7 @@ License
 
 #include "oneLayer.H"
 #include "emptyPolyPatch.H"
+#include "planarFrame.H"
 #include "polyMesh.H"
 #include "wedgePolyPatch.H"
 
@@ -141,8 +142,20 @@ bool Foam::oneLayer::isPlane(const polyPatch& pp)
 }
 
 
-void Foam::oneLayer::check(const polyMesh& mesh, const direction normal)
+const Foam::polyMesh& Foam::oneLayer::check(const polyMesh& mesh)
 {
+    if (mesh.nGeometricD() != 2)
+    {
+        FatalErrorInFunction
+            << "The mesh is not planar: it has " << mesh.nGeometricD()
+            << " directions in which it is solved, patch types "
+            << mesh.boundaryMesh().types() << nl
+            << "    Allowed: two, that is one cell across, with patches of"
+            << " type empty in front and back, or of type wedge"
+            << exit(FatalError);
+    }
+    const direction normal = planarFrame(mesh).normalAxis();
+
     List<labelPair> faces(mesh.nCells(), labelPair(-1, -1));
     labelList nEmpty(mesh.nCells(), Zero);
     boolList isEmpty(mesh.nFaces(), false);
@@ -188,6 +201,7 @@ void Foam::oneLayer::check(const polyMesh& mesh, const direction normal)
             );
         }
     }
+    return mesh;
 }
 
 

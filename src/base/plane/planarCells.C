@@ -32,13 +32,11 @@ License
 Foam::planarCells::planarCells(const fvMesh& mesh)
 :
     mesh_(mesh),
+    frame_(mesh),
     axial_(mesh),
-    thickness_(0),
+    thickness_(mesh.bounds().span()[frame_.normalAxis()]),
     face_(mesh.nCells(), -1)
 {
-    const labelPair across(axes(mesh));
-    thickness_ = mesh.bounds().span()[3 - across.first() - across.second()];
-
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         if (oneLayer::isPlane(pp))
@@ -69,15 +67,6 @@ Foam::pointField Foam::planarCells::corners(const label celli) const
         }
     }
     return corners;
-}
-
-
-Foam::labelPair Foam::planarCells::axes(const polyMesh& mesh)
-{
-    const Vector<label>& dirs = mesh.geometricD();
-    const label normal = dirs.x() < 0 ? 0 : dirs.y() < 0 ? 1 : 2;
-
-    return labelPair((normal + 1) % 3, (normal + 2) % 3);
 }
 
 
@@ -137,8 +126,6 @@ Foam::point Foam::planarCells::spread
     label& trial
 ) const
 {
-    const labelPair axes(planarCells::axes(mesh_));
-
     point lower(corners[0]), upper(corners[0]);
     for (const point& corner : corners)
     {
@@ -156,8 +143,8 @@ Foam::point Foam::planarCells::spread
     do
     {
         ++trial;
-        part[axes.first()] = std::fmod(0.5 + trial/plastic, 1);
-        part[axes.second()] = std::fmod(0.5 + trial/sqr(plastic), 1);
+        part[frame_.i0()] = std::fmod(0.5 + trial/plastic, 1);
+        part[frame_.i1()] = std::fmod(0.5 + trial/sqr(plastic), 1);
         if (axial_.active())
         {
             scalar& radial = part[axial_.radial()];
@@ -165,40 +152,9 @@ Foam::point Foam::planarCells::spread
         }
         p = lower + cmptMultiply(size, part);
     }
-    while (!contains(axes, corners, p));
+    while (!frame_.contains(corners, p));
 
     return p;
-}
-
-
-bool Foam::planarCells::contains
-(
-    const labelPair& axes,
-    const UList<point>& corners,
-    const point& p
-)
-{
-    // On the same side of all edges would do for a convex polygon only:
-    // count crossings of a ray
-    const direction i0 = axes.first(), i1 = axes.second();
-
-    bool inside = false;
-    forAll(corners, i)
-    {
-        const point& a = corners[i];
-        const point& b = corners[corners.fcIndex(i)];
-
-        if ((a[i1] > p[i1]) != (b[i1] > p[i1]))
-        {
-            const scalar at =
-                a[i0] + (p[i1] - a[i1])/(b[i1] - a[i1])*(b[i0] - a[i0]);
-            if (p[i0] < at)
-            {
-                inside = !inside;
-            }
-        }
-    }
-    return inside;
 }
 
 

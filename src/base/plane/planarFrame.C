@@ -22,39 +22,46 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "planarFrame.H"
-#include "oneLayer.H"
 #include "polyMesh.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::planarFrame::planarFrame(const polyMesh& mesh)
-:
-    normal_(0)
 {
     const Vector<label>& dirs = mesh.geometricD();
-    label nAcross = 0;
+    normal_ = dirs.x() < 0 ? 0 : dirs.y() < 0 ? 1 : 2;
+    i0_ = (normal_ + 1) % 3;
+    i1_ = (normal_ + 2) % 3;
+}
 
-    for (direction d = 0; d < 3; ++d)
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::planarFrame::contains
+(
+    const UList<point>& corners,
+    const point& p
+) const
+{
+    // On the same side of all edges would do for a convex polygon only:
+    // count crossings of a ray
+    bool inside = false;
+    forAll(corners, i)
     {
-        if (dirs[d] < 0)
+        const point& a = corners[i];
+        const point& b = corners[corners.fcIndex(i)];
+
+        if ((a[i1_] > p[i1_]) != (b[i1_] > p[i1_]))
         {
-            normal_ = d;
-            ++nAcross;
+            const scalar at =
+                a[i0_] + (p[i1_] - a[i1_])/(b[i1_] - a[i1_])*(b[i0_] - a[i0_]);
+            if (p[i0_] < at)
+            {
+                inside = !inside;
+            }
         }
     }
-
-    if (nAcross != 1)
-    {
-        FatalErrorInFunction
-            << "The mesh is not planar: it has " << 3 - nAcross
-            << " directions in which it is solved, patch types "
-            << mesh.boundaryMesh().types() << nl
-            << "    Allowed: two, that is one cell across, with patches of"
-            << " type empty in front and back, or of type wedge"
-            << exit(FatalError);
-    }
-
-    oneLayer::check(mesh, normal_);
+    return inside;
 }
 
 

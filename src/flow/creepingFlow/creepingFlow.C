@@ -23,6 +23,7 @@ License
 
 #include "creepingFlow.H"
 #include "checkedEntry.H"
+#include "oneLayer.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -246,7 +247,7 @@ Foam::creepingFlow::creepingFlow(materialFields& materials)
     controls_(mesh_.solutionDict().subOrEmptyDict(typeName)),
     goOn_(readGoOn()),
     fields_(materials),
-    frame_(mesh_),
+    frame_(oneLayer::check(mesh_)),
     halo_(mesh_, frame_),
     boundary_
     (

@@ -23,6 +23,7 @@ License
 
 #include "strainIndicator.H"
 #include "materialFields.H"
+#include "oneLayer.H"
 #include "planarCells.H"
 #include "planarFit.H"
 
@@ -153,7 +154,7 @@ Foam::strainIndicator::strainIndicator(const materialFields& materials)
 :
     materials_(materials),
     mesh_(materials.mesh()),
-    frame_(mesh_),
+    frame_(oneLayer::check(mesh_)),
     links_(mesh_, frame_),
     axial_(axialSymmetry(mesh_).active())
 {}

@@ -82,11 +82,10 @@ Foam::cellSurroundings::cellSurroundings(const fvMesh& mesh)
 :
     mesh_(mesh),
     cells_(mesh),
-    axes_(planarCells::axes(mesh)),
     front_(mesh.nCells(), -1),
     excluded_(mesh.nPoints(), true)
 {
-    const direction normal = 3 - axes_.first() - axes_.second();
+    const direction normal = cells_.frame().normalAxis();
     const scalar middle = mesh.bounds().midpoint()[normal];
 
     for (const polyPatch& pp : mesh.boundaryMesh())
@@ -153,17 +152,16 @@ Foam::vector Foam::cellSurroundings::inPlane
     const scalar angle
 ) const
 {
-    vector way(Zero);
-    way[axes_.first()] = length*Foam::cos(angle);
-    way[axes_.second()] = length*Foam::sin(angle);
-
-    return way;
+    return cells_.frame().inSpace
+    (
+        length*Foam::cos(angle), length*Foam::sin(angle)
+    );
 }
 
 
 bool Foam::cellSurroundings::contains(const label celli, const point& p) const
 {
-    return planarCells::contains(axes_, cells_.corners(celli), p);
+    return cells_.frame().contains(cells_.corners(celli), p);
 }
 
 

@@ -23,7 +23,6 @@ License
 
 #include "planarWalk.H"
 #include "axialSymmetry.H"
-#include "planarCells.H"
 #include "pointVelocity.H"
 #include "pointIntegration.H"
 #include "oneLayer.H"
@@ -193,8 +192,7 @@ void Foam::planarWalk::put
 Foam::planarWalk::planarWalk(const polyMesh& mesh)
 :
     mesh_(mesh),
-    i0_(0),
-    i1_(1),
+    frame_(mesh),
     start_(mesh.nCells() + 1, Zero),
     centres_(mesh.nCells()),
     middle_(Zero),
@@ -205,12 +203,9 @@ Foam::planarWalk::planarWalk(const polyMesh& mesh)
         return;
     }
 
-    const labelPair axes(planarCells::axes(mesh));
-    i0_ = axes.first();
-    i1_ = axes.second();
     meshTools::constrainToMeshCentre(mesh, middle_);
     const axialSymmetry axial(mesh);
-    const direction normal = 3 - i0_ - i1_;
+    const direction normal = frame_.normalAxis();
 
     bitSet side(mesh.nFaces(), true);
     for (const polyPatch& pp : mesh.boundaryMesh())
@@ -224,7 +219,7 @@ Foam::planarWalk::planarWalk(const polyMesh& mesh)
     DynamicList<edgeOfCell> edges;
     forAll(centres_, celli)
     {
-        centres_[celli] = inPlane(mesh.cellCentres()[celli]);
+        centres_[celli] = frame_.inPlane(mesh.cellCentres()[celli]);
         for (const label facei : mesh.cells()[celli])
         {
             edgeOfCell e;
@@ -264,7 +259,7 @@ bool Foam::planarWalk::step
 
     const point start(p.position());
     point x(start);
-    x[3 - i0_ - i1_] = middle_[3 - i0_ - i1_];
+    x[frame_.normalAxis()] = middle_[frame_.normalAxis()];
     label celli = p.cell();
 
     scalar begin = 0;
@@ -292,10 +287,8 @@ bool Foam::planarWalk::step
                 return false;
             }
 
-            point next(origin);
-            next[i0_] += way[i0_];
-            next[i1_] += way[i1_];
-            if (!walk(celli, inPlane(x), inPlane(next)))
+            const point next(origin + frame_.inSpace(frame_.inPlane(way)));
+            if (!walk(celli, frame_.inPlane(x), frame_.inPlane(next)))
             {
                 return false;
             }
@@ -305,9 +298,9 @@ bool Foam::planarWalk::step
     }
 
     // Resting points keep their bits
-    if (magSqr(inPlane(x) - inPlane(start)) > sqr(td.nothing))
+    if (magSqr(frame_.inPlane(x) - frame_.inPlane(start)) > sqr(td.nothing))
     {
-        put(p, celli, inPlane(x));
+        put(p, celli, frame_.inPlane(x));
     }
 
     return true;

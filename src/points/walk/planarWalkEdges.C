@@ -41,7 +41,7 @@ bool Foam::planarWalk::setHalf
     half& h
 ) const
 {
-    const direction normal = 3 - i0_ - i1_;
+    const direction normal = frame_.normalAxis();
     const pointField& points = mesh_.points();
     const scalar near = flat*mesh_.bounds().mag();
 
@@ -57,7 +57,7 @@ bool Foam::planarWalk::setHalf
         label nHere = 0;
         forAll(tri, i)
         {
-            const vector2D q(inPlane(points[tri[i]]) - end);
+            const vector2D q(frame_.inPlane(points[tri[i]]) - end);
             here[i] = mag(q.x()) + mag(q.y()) < near;
             front[i] = points[tri[i]][normal] > middle_[normal];
             nHere += here[i];
@@ -117,7 +117,7 @@ bool Foam::planarWalk::setAxisEdge
     edgeOfCell& e
 ) const
 {
-    const direction normal = 3 - i0_ - i1_;
+    const direction normal = frame_.normalAxis();
     const pointField& points = mesh_.points();
     const scalar near = flat*mesh_.bounds().mag();
 
@@ -147,8 +147,8 @@ bool Foam::planarWalk::setAxisEdge
         e.face = facei;
         e.beyond = -1;
         e.lean = -1;
-        const vector2D first(inPlane(points[tri[on[0]]]));
-        vector2D from(first), to(inPlane(points[tri[on[1]]]));
+        const vector2D first(frame_.inPlane(points[tri[on[0]]]));
+        vector2D from(first), to(frame_.inPlane(points[tri[on[1]]]));
         if (!setSlopes(celli, from, to, e))
         {
             return false;
@@ -174,7 +174,7 @@ bool Foam::planarWalk::setEdge
     edgeOfCell& e
 ) const
 {
-    const direction normal = 3 - i0_ - i1_;
+    const direction normal = frame_.normalAxis();
     const face& f = mesh_.faces()[facei];
     const pointField& points = mesh_.points();
     const scalar near = flat*mesh_.bounds().mag();
@@ -190,7 +190,7 @@ bool Foam::planarWalk::setEdge
         sum += depth;
         if (depth > -near)
         {
-            ends.append(inPlane(points[pointi]));
+            ends.append(frame_.inPlane(points[pointi]));
             depths.append(depth > near ? depth : 0);
         }
     }

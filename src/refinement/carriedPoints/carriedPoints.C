@@ -51,7 +51,7 @@ Foam::label Foam::carriedPoints::partAt
 {
     for (const label celli : parts)
     {
-        if (planarCells::contains(axes_, cells.corners(celli), p))
+        if (frame_.contains(cells.corners(celli), p))
         {
             return celli;
         }
@@ -91,10 +91,9 @@ void Foam::carriedPoints::split
 )
 {
     const carried whole(points_[pointi]);
-    const direction normal = 3 - axes_.first() - axes_.second();
     const scalar size = Foam::sqrt
     (
-        volume_[whole.from]*whole.share/mesh_.bounds().span()[normal]
+        volume_[whole.from]*whole.share/mesh_.bounds().span()[frame_.normalAxis()]
     );
 
     for (label i = 0; i < n; ++i)
@@ -104,9 +103,14 @@ void Foam::carriedPoints::split
         part.added = whole.added || i > 0;
 
         const scalar angle = constant::mathematical::twoPi*(i + 0.5)/n;
-        vector way(Zero);
-        way[axes_.first()] = Foam::cos(angle)*size*Foam::sqrt(2.0)/4;
-        way[axes_.second()] = Foam::sin(angle)*size*Foam::sqrt(2.0)/4;
+        vector way
+        (
+            frame_.inSpace
+            (
+                Foam::cos(angle)*size*Foam::sqrt(2.0)/4,
+                Foam::sin(angle)*size*Foam::sqrt(2.0)/4
+            )
+        );
 
         label celli = -1;
         for (label k = 0; k < mostShorter && celli < 0; ++k)
@@ -202,7 +206,7 @@ void Foam::carriedPoints::shareOut
 Foam::carriedPoints::carriedPoints(const fvMesh& mesh)
 :
     mesh_(mesh),
-    axes_(planarCells::axes(mesh)),
+    frame_(mesh),
     time_(mesh.time().timeName())
 {
     const word& name = materialPointCloud::cloudName;

@@ -92,7 +92,7 @@ void Foam::planarLoops::findEmptyFaces(const boolList& isBack)
 Foam::planarLoops::planarLoops(const polyMesh& mesh)
 :
     mesh_(mesh),
-    frame_(mesh),
+    frame_(oneLayer::check(mesh)),
     ends_(mesh.nFaces()),
     front_(mesh.nPoints(), -1),
     backFace_(mesh.nCells(), -1),

@@ -47,8 +47,7 @@ Foam::tmp<Foam::scalarField> Foam::pointAverages::linearLeastSquares::weights
 {
     const fvMesh& mesh = refCast<const fvMesh>(cloud.pMesh());
     const planarCells cells(mesh);
-    const labelPair axes(planarCells::axes(mesh));
-    const direction i0 = axes.first(), i1 = axes.second();
+    const direction i0 = cells.frame().i0(), i1 = cells.frame().i1();
     const label n = mesh.nCells();
 
     // Positions from the centre of the cell, and their moments

@@ -94,8 +94,7 @@ Foam::pointVelocities::conservativeLinear::gradientInPlane() const
         )
     );
     volTensorField& gradU = tgradU.ref();
-    vector e(Zero);
-    e[3 - i0_ - i1_] = 1;
+    const vector e(frame_.e());
     forAll(dd, celli)
     {
         gradU[celli] = inv(dd[celli] + e*e) & dU[celli];
@@ -160,7 +159,7 @@ void Foam::pointVelocities::conservativeLinear::update()
     forAll(fans_, i)
     {
         const tensor& G = gradU[fanCells_[i]];
-        setFan(i, G[3*i0_ + i1_] - G[3*i1_ + i0_]);
+        setFan(i, frame_.component(G, 0, 1) - frame_.component(G, 1, 0));
     }
 }
 

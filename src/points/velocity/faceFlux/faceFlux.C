@@ -50,14 +50,10 @@ void Foam::pointVelocities::faceFlux::setCorners
     const label n = corners.size();
     const label start = start_[celli];
 
-    auto cross = [&](const vector& a, const vector& b)
-    {
-        return a[i0_]*b[i1_] - a[i1_]*b[i0_];
-    };
     scalar area = 0;
     for (label i = 2; i < n; ++i)
     {
-        area += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
+        area += frame_.cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
     }
     const bool clockwise = area < 0;
 
@@ -117,7 +113,7 @@ void Foam::pointVelocities::faceFlux::setFaces(const label celli)
             }
 
             const vector d(mesh.faceCentres()[facei] - middle);
-            const scalar distance = sqr(d[i0_]) + sqr(d[i1_]);
+            const scalar distance = magSqr(frame_.inPlane(d));
             if (distance < nearest)
             {
                 nearest = distance;
@@ -155,7 +151,7 @@ void Foam::pointVelocities::faceFlux::makeFan(const label celli)
 
     fan_[celli] = fans_.size();
     fanCells_.append(celli);
-    fans_.append(new fluxFan(labelPair(i0_, i1_), centre, corners));
+    fans_.append(new fluxFan(frame_, centre, corners));
 
     // Below this its numbers would be rounding
     if (fans_[fan_[celli]].flatness() < 1e-6)
@@ -181,11 +177,7 @@ Foam::vector Foam::pointVelocities::faceFlux::inTriangle
     {
         return faceFlux::edge(celli, i % 3);
     };
-    auto cross = [&](const vector& a, const vector& b)
-    {
-        return a[i0_]*b[i1_] - a[i1_]*b[i0_];
-    };
-    const scalar twoA = cross(edge(0), edge(1));
+    const scalar twoA = frame_.cross(edge(0), edge(1));
 
     // The fluxes of the two edges at a corner give the velocity there, which
     // is linear between the corners
@@ -198,7 +190,7 @@ Foam::vector Foam::pointVelocities::faceFlux::inTriangle
             (flux_[s + i] - 0.5*slope_[s + i])*edge(k)
           - (flux_[s + k] + 0.5*slope_[s + k])*edge(i)
         );
-        U += cross(edge(i + 1), p - corners_[s + (i + 1) % 3])/sqr(twoA)*corner;
+        U += frame_.cross(edge(i + 1), p - corners_[s + (i + 1) % 3])/sqr(twoA)*corner;
     }
     return U;
 }
@@ -214,14 +206,15 @@ Foam::vector Foam::pointVelocities::faceFlux::inQuadrilateral
     // what the fourth is off a parallelogram
     const label s = start_[celli];
     const point& o = corners_[s];
-    const scalar a0 = corners_[s + 1][i0_] - o[i0_];
-    const scalar a1 = corners_[s + 1][i1_] - o[i1_];
-    const scalar b0 = corners_[s + 3][i0_] - o[i0_];
-    const scalar b1 = corners_[s + 3][i1_] - o[i1_];
-    const scalar c0 = corners_[s + 2][i0_] - corners_[s + 1][i0_] - b0;
-    const scalar c1 = corners_[s + 2][i1_] - corners_[s + 1][i1_] - b1;
-    const scalar d0 = p[i0_] - o[i0_];
-    const scalar d1 = p[i1_] - o[i1_];
+    const direction i0 = frame_.i0(), i1 = frame_.i1();
+    const scalar a0 = corners_[s + 1][i0] - o[i0];
+    const scalar a1 = corners_[s + 1][i1] - o[i1];
+    const scalar b0 = corners_[s + 3][i0] - o[i0];
+    const scalar b1 = corners_[s + 3][i1] - o[i1];
+    const scalar c0 = corners_[s + 2][i0] - corners_[s + 1][i0] - b0;
+    const scalar c1 = corners_[s + 2][i1] - corners_[s + 1][i1] - b1;
+    const scalar d0 = p[i0] - o[i0];
+    const scalar d1 = p[i1] - o[i1];
     const bool affine =
         mag(c0) + mag(c1) < 1e-14*(mag(a0) + mag(a1) + mag(b0) + mag(b1));
 
@@ -251,10 +244,11 @@ Foam::vector Foam::pointVelocities::faceFlux::inQuadrilateral
 
     const Pair<scalar> f(through(s, xi, eta));
 
-    vector U(Zero);
-    U[i0_] = (f.first()*xXi0 + f.second()*xEta0)/J;
-    U[i1_] = (f.first()*xXi1 + f.second()*xEta1)/J;
-    return U;
+    return frame_.inSpace
+    (
+        (f.first()*xXi0 + f.second()*xEta0)/J,
+        (f.first()*xXi1 + f.second()*xEta1)/J
+    );
 }
 
 
@@ -347,9 +341,10 @@ void Foam::pointVelocities::faceFlux::setSlopes(const tensorField& gradU)
         {
             // Along the edge, and outward with the same length
             const vector t(edge(celli, i - start_[celli]));
-            vector outward(Zero);
-            outward[i0_] = t[i1_];
-            outward[i1_] = -t[i0_];
+            const vector outward
+            (
+                frame_.inSpace(planarFrame::tangent(frame_.inPlane(t)))
+            );
 
             slope_[i] =
                 faces_[i] < 0 || gradU.empty()
@@ -382,10 +377,10 @@ void Foam::pointVelocities::faceFlux::setFan
     if (axial_.active())
     {
         // That of r U
-        const bool first = axial_.radial() == i0_;
+        const bool first = axial_.radial() == frame_.i0();
         vorticity =
             axial_.radius(phi_.mesh().cellCentres()[celli])*vorticity
-          + (first ? U_[celli][i1_] : -U_[celli][i0_]);
+          + (first ? U_[celli][frame_.i1()] : -U_[celli][frame_.i0()]);
     }
 
     fans_[i].set
@@ -408,17 +403,15 @@ Foam::pointVelocities::faceFlux::faceFlux
 :
     U_(U),
     phi_(phi),
+    frame_(U.mesh()),
     axial_(U.mesh()),
     start_(U.size() + 1, Zero)
 {
     const fvMesh& mesh = U.mesh();
-    const labelPair axes(planarCells::axes(mesh));
-    i0_ = axes.first();
-    i1_ = axes.second();
     depth_ =
         axial_.active()
       ? axial_.angle()
-      : mesh.bounds().span()[3 - i0_ - i1_];
+      : mesh.bounds().span()[frame_.normalAxis()];
     least_ = 1e-9*mesh.bounds().mag();
     fan_.setSize(mesh.nCells(), -1);
 

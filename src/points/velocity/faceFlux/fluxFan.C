@@ -114,12 +114,12 @@ void Foam::fluxFan::solve()
 
 Foam::fluxFan::fluxFan
 (
-    const labelPair& axes,
+    const planarFrame& frame,
     const point& centre,
     const UList<point>& corners
 )
 :
-    axes_(axes),
+    frame_(frame),
     centre_(centre),
     spokes_(waysTo(corners, centre)),
     twoA_(corners.size()),
@@ -127,7 +127,7 @@ Foam::fluxFan::fluxFan
 {
     forAll(spokes_, i)
     {
-        twoA_[i] = cross(spokes_[i], spokes_[spokes_.fcIndex(i)]);
+        twoA_[i] = frame_.cross(spokes_[i], spokes_[spokes_.fcIndex(i)]);
     }
     if (flatness() > 0)
     {
@@ -217,10 +217,10 @@ Foam::vector Foam::fluxFan::value(const point& p) const
     // put outside
     label in = 0;
     scalar best = -GREAT;
-    scalar before = cross(spokes_[0], d);
+    scalar before = frame_.cross(spokes_[0], d);
     forAll(spokes_, i)
     {
-        const scalar after = cross(spokes_[spokes_.fcIndex(i)], d);
+        const scalar after = frame_.cross(spokes_[spokes_.fcIndex(i)], d);
         const scalar inside = min(before, -after)/twoA_[i];
         if (inside > best)
         {
@@ -230,8 +230,8 @@ Foam::vector Foam::fluxFan::value(const point& p) const
         before = after;
     }
 
-    const scalar lambdaA = -cross(spokes_[spokes_.fcIndex(in)], d)/twoA_[in];
-    const scalar lambdaB = cross(spokes_[in], d)/twoA_[in];
+    const scalar lambdaA = -frame_.cross(spokes_[spokes_.fcIndex(in)], d)/twoA_[in];
+    const scalar lambdaB = frame_.cross(spokes_[in], d)/twoA_[in];
     const FixedList<vector, 3>& U = velocity_[in];
 
     return (1 - lambdaA - lambdaB)*U[0] + lambdaA*U[1] + lambdaB*U[2];

@@ -23,7 +23,6 @@ License
 
 #include "disc.H"
 #include "checkedEntry.H"
-#include "planarCells.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -46,7 +45,7 @@ Foam::pointRegions::disc::disc
     const polyMesh& mesh
 )
 :
-    axes_(planarCells::axes(mesh)),
+    frame_(mesh),
     centre_(dict.get<point>("centre")),
     radius_(checkedEntry::positive("radius", dimLength, dict).value())
 {
@@ -58,9 +57,7 @@ Foam::pointRegions::disc::disc
 
 bool Foam::pointRegions::disc::contains(const point& p) const
 {
-    const vector d(p - centre_);
-
-    return sqr(d[axes_.first()]) + sqr(d[axes_.second()]) <= sqr(radius_);
+    return magSqr(frame_.inPlane(p - centre_)) <= sqr(radius_);
 }
 
 

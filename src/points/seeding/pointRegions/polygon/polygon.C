@@ -23,7 +23,6 @@ License
 
 #include "polygon.H"
 #include "checkedEntry.H"
-#include "planarCells.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -46,7 +45,7 @@ Foam::pointRegions::polygon::polygon
     const polyMesh& mesh
 )
 :
-    axes_(planarCells::axes(mesh)),
+    frame_(mesh),
     points_(dict.get<List<point>>("points"))
 {
     checkedEntry::only(dict, {"type", "material", "points"});
@@ -64,7 +63,7 @@ Foam::pointRegions::polygon::polygon
 
 bool Foam::pointRegions::polygon::contains(const point& p) const
 {
-    return planarCells::contains(axes_, points_, p);
+    return frame_.contains(points_, p);
 }
 
 
