@@ -91,10 +91,8 @@ void Foam::carriedPoints::split
 )
 {
     const carried whole(points_[pointi]);
-    const scalar size = Foam::sqrt
-    (
-        volume_[whole.from]*whole.share/mesh_.bounds().span()[frame_.normalAxis()]
-    );
+    const scalar depth = mesh_.bounds().span()[frame_.normalAxis()];
+    const scalar size = Foam::sqrt(volume_[whole.from]*whole.share/depth);
 
     for (label i = 0; i < n; ++i)
     {

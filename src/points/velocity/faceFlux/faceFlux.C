@@ -53,7 +53,10 @@ void Foam::pointVelocities::faceFlux::setCorners
     scalar area = 0;
     for (label i = 2; i < n; ++i)
     {
-        area += frame_.cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
+        area += frame_.cross
+        (
+            corners[i - 1] - corners[0], corners[i] - corners[0]
+        );
     }
     const bool clockwise = area < 0;
 
@@ -190,7 +193,8 @@ Foam::vector Foam::pointVelocities::faceFlux::inTriangle
             (flux_[s + i] - 0.5*slope_[s + i])*edge(k)
           - (flux_[s + k] + 0.5*slope_[s + k])*edge(i)
         );
-        U += frame_.cross(edge(i + 1), p - corners_[s + (i + 1) % 3])/sqr(twoA)*corner;
+        const vector d(p - corners_[s + (i + 1) % 3]);
+        U += frame_.cross(edge(i + 1), d)/sqr(twoA)*corner;
     }
     return U;
 }

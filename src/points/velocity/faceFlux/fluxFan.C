@@ -230,7 +230,8 @@ Foam::vector Foam::fluxFan::value(const point& p) const
         before = after;
     }
 
-    const scalar lambdaA = -frame_.cross(spokes_[spokes_.fcIndex(in)], d)/twoA_[in];
+    const vector& next = spokes_[spokes_.fcIndex(in)];
+    const scalar lambdaA = -frame_.cross(next, d)/twoA_[in];
     const scalar lambdaB = frame_.cross(spokes_[in], d)/twoA_[in];
     const FixedList<vector, 3>& U = velocity_[in];
 
