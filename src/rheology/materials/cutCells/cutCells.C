@@ -348,9 +348,13 @@ void Foam::cutCells::addCarried(const label m, const fvMesh& mesh)
         if (carries(celli))
         {
             const label i = row_[celli];
+            // Thinned by the softer one's pressure, as it is stretched
+            const scalar ratio =
+                pure(centre_[celli], celli).eta/pure(m, celli).eta;
+            const scalar stretched =
+                2*max(1 - ratio, scalar(0))*fraction_[i][m];
             carried[celli] =
-                sqrt(fraction_[i][m]/max(sum[celli], scalar(0.5)))
-               *normal_[i][m];
+                sqrt(stretched/max(sum[celli], scalar(0.5)))*normal_[i][m];
         }
     }
     carried.correctBoundaryConditions();
