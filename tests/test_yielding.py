@@ -129,6 +129,17 @@ def test_limit_stress_of_a_layer(tmp_path, q):
     assert did["nonlinear"] <= 15
 
 
+def test_steps_with_larger_rates_of_regularisation_first(tmp_path):
+    """A layer on few cells takes 22 steps from rest, and 15 where larger rates
+    are solved for as far as the one asked for."""
+    _, did = solve(strip(tmp_path/"case", "bingham", {
+        "etaP": 1e-4, "tauY": 1, "regularisation": "BercovierEngelman",
+        "eps": 1e-3, "etaCRatio": 1, "R": 0.02, "B": "infinite"}, 32, V=1,
+        grading=10, continuation="(100 10 1)"))
+    assert did["nonlinear"] <= 10
+    assert did["residuals"][-1] < 1e-4
+
+
 @pytest.mark.parametrize("depth, a", [(1, 1.332227), (10, 1.045644)])
 def test_exact_layer(depth, a):
     """The integral in closed form for etaC = eta."""
@@ -137,6 +148,20 @@ def test_exact_layer(depth, a):
     closed = -np.pi + 4*a/np.sqrt(a**2 - c**2)*np.arctan(
         np.sqrt((a + c)/(a - c)))
     assert abs(closed/depth - 1) < 1e-4
+
+
+@pytest.mark.parametrize("times", [0.9, 1.1])
+def test_creep_of_a_channel(tmp_path, times):
+    """Its speed is that of finite elements with the same regularisation, which
+    is not small yet at a viscosity at rest of 1e3: 6 % of it at 0.9 of the
+    load."""
+    G, rests = 2*times*yielding.channel_load(10, 2000), (1e3, 1e5)
+    exact = yielding.RegularisedChannel(G, 0.1, n=200).speeds(rests)
+    for rest, speed in zip(rests, exact):
+        cells, _ = solve(strip(tmp_path/f"{rest}", "bingham", {
+            "etaP": 1, "tauY": 1, "regularisation": "BercovierEngelman",
+            "eps": 1/rest, **COSSERAT}, 192, G=G, grading=10))
+        assert abs(cells["U"][:, 0].max()/speed - 1) < 4e-3
 
 
 @pytest.mark.parametrize("times, exponent", [(0.9, -1), (1.1, 0)])

@@ -6,6 +6,8 @@ dissipation."""
 import numpy as np
 from scipy.integrate import quad
 from scipy.optimize import brentq
+from scipy.sparse import coo_matrix
+from scipy.sparse.linalg import spsolve
 
 #: Limit pressure of a strip on a half space over the yield stress in shear, of
 #: Prandtl (1920), smooth or rough
@@ -126,6 +128,91 @@ def channel_load(depth, steps=20000):
         low, high = ((middle, high) if _bears(middle, depth, steps)
                      else (low, middle))
     return low
+
+
+class RegularisedChannel:
+    """A channel of unit depth between walls without velocity and rotation, of a
+    Bingham medium (Bercovier and Engelman) with couple stresses, under the
+    force G: the minimum of the dissipation's potential over velocities and
+    rotations, n quadratic finite elements on half of it, shorter towards the
+    wall and the middle. q = etaC/eta, M = 2 etaC R^2."""
+
+    def __init__(self, G, R, etaP=1.0, q=1.0, n=400):
+        self.etaP = etaP
+        t = np.linspace(-1, 1, n + 1)
+        ends = 0.25*(1 + t + np.sin(np.pi*t)/np.pi*0.98)
+        ends[0], ends[-1] = 0, 0.5
+        points, weights = np.polynomial.legendre.leggauss(3)
+        h = np.diff(ends)[:, None]
+        x = 0.5*(1 + points)
+        self.w = 0.5*weights*h
+        value = np.stack([(1 - x)*(1 - 2*x), 4*x*(1 - x), x*(2*x - 1)])
+        slope = np.stack([4*x - 3, 4 - 8*x, 4*x - 1])
+        slopes = slope.T[None]/h[:, :, None]
+        values = np.broadcast_to(value.T, slopes.shape)
+        none = np.zeros_like(slopes)
+        # Rates whose squares add to Gamma^2, from the six values of an element
+        self.B = np.stack([
+            np.concatenate([slopes, none], 2),
+            np.sqrt(4*q)*np.concatenate([0.5*slopes, values], 2),
+            R*np.sqrt(2*q)*np.concatenate([none, slopes], 2)], 2)
+        force = G*self.w[:, :, None]*np.concatenate([values, none], 2)
+        node = 2*np.arange(n)[:, None] + np.arange(3)
+        self.size = 2*n + 1
+        self.dofs = np.concatenate([node, node + self.size], 1)
+        held = [self.size - 1, self.size, 2*self.size - 1]
+        self.free = np.setdiff1d(np.arange(2*self.size), held)
+        self.load = np.bincount(self.dofs.ravel(), force.sum(1).ravel(),
+                                2*self.size)
+
+    def _energy(self, x, eps):
+        """Potential of the values x."""
+        E = np.einsum("eqri,ei->eqr", self.B, x[self.dofs])
+        root = np.sqrt((E**2).sum(2) + eps**2)
+        return (self.w*(0.5*self.etaP*root**2 + root)).sum() - self.load @ x
+
+    def _step(self, x, eps):
+        """Step of Newton's method from x, and the slope of the fall along
+        it."""
+        E = np.einsum("eqri,ei->eqr", self.B, x[self.dofs])
+        root = np.sqrt((E**2).sum(2) + eps**2)
+        eta = self.etaP + 1/root
+        f = np.einsum("eq,eqr,eqri->ei", self.w*eta, E, self.B)
+        C = eta[..., None, None]*np.eye(3) - (
+            E[..., None]*E[..., None, :]/root[..., None, None]**3)
+        K = np.einsum("eq,eqri,eqrs,eqsj->eij", self.w, self.B, C, self.B)
+        r = self.load - np.bincount(self.dofs.ravel(), f.ravel(), x.size)
+        rows = np.repeat(self.dofs, 6, 1).ravel()
+        cols = np.tile(self.dofs, (1, 6)).ravel()
+        K = coo_matrix((K.ravel(), (rows, cols))).tocsc()
+        dx = np.zeros_like(x)
+        dx[self.free] = spsolve(K[self.free][:, self.free], r[self.free])
+        return dx, r @ dx
+
+    def _solve(self, x, eps):
+        """Minimum of the potential, from x."""
+        for _ in range(200):
+            dx, fall = self._step(x, eps)
+            if fall < 1e-13*abs(self.load @ x) + 1e-300:
+                return x + dx
+            length, before = 1.0, self._energy(x, eps)
+            while (length > 1e-6 and self._energy(x + length*dx, eps)
+                   > before - 1e-4*length*fall + 1e-14*abs(before)):
+                length *= 0.5
+            x = x + length*dx
+        raise RuntimeError(f"no minimum at eps {eps}: {fall}")
+
+    def speeds(self, rests):
+        """Speeds in the middle where the viscosity at rest is etaP and one of
+        these, of which each is larger than the one before."""
+        x, eps, found = np.zeros(2*self.size), 1.0, []
+        for rest in rests:
+            steps = 1 + int(np.ceil(8*np.log10(eps*rest)))
+            for now in np.geomspace(eps, 1/rest, 1 + steps):
+                x = self._solve(x, now)
+            eps = 1/rest
+            found.append(float(x[0]))
+        return found
 
 
 def janssen(z, mu):

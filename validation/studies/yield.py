@@ -11,6 +11,8 @@ from cosserat.scenes.yielding import solve, strip, wall_stress
 from studies.common import HERE
 
 CLASSICAL = {"etaCRatio": 0, "R": 0, "B": "infinite"}
+#: Rates of regularisation that are gone through
+ON_THE_WAY = "(1000 100 10 1)"
 
 
 def run(name, law, coeffs, n, **parameters):
@@ -48,7 +50,7 @@ def channels():
         last = None
         for n in (16, 32, 64, 128):
             _, cells, did = run("channel", law, {**coeffs, **CLASSICAL}, n, G=2,
-                                continuation="(100 10 1)")
+                                continuation=ON_THE_WAY)
             now = row("channel", name, n,
                       float((cells["U"][:, 0]*cells["h"]).sum()), exact, did)
             if last:
@@ -65,35 +67,39 @@ def layers():
                 case, _, did = run("layer", "bingham", {
                     "etaP": 1e-5, "tauY": 1, "eps": 1e-4,
                     "regularisation": "BercovierEngelman", "etaCRatio": q,
-                    "R": 1/depth, "B": "infinite"}, n, V=1, grading=10)
+                    "R": 1/depth, "B": "infinite"}, n, V=1, grading=10,
+                    continuation=ON_THE_WAY)
                 yield row("layer", f"etaC/eta {q}, H/R {depth}", n,
                           wall_stress(case), yielding.layer_stress(depth, q),
                           did)
 
 
-def creep(depth, times, rest):
+def creep(depth, times, rest, n=96):
     """Speed of a channel at a multiple of the load at which it flows."""
     load = times*yielding.channel_load(depth, 4000)
     _, cells, did = run("arrest", "bingham", {
         "etaP": 1, "tauY": 1, "regularisation": "BercovierEngelman",
         "eps": 1/rest, "etaCRatio": 1, "R": 1/depth, "B": "infinite"},
-        96, G=2*load, grading=10)
+        n, G=2*load, grading=10)
     return float(cells["U"][:, 0].max()), did
 
 
 def arrest():
-    """Speed times viscosity at rest below the load, and the load at which the
-    speed goes with its square root."""
+    """Speed beside that of finite elements with the same regularisation, times
+    the viscosity at rest below the load at which it flows; and the load at
+    which the speed goes with its square root."""
+    rests = (1e3, 1e4, 1e5, 1e6)
     for depth in (10, 20, 50):
+        load = yielding.channel_load(depth, 4000)
         for times in (0.8, 0.9, 1.05, 1.1):
-            first = None
-            for rest in (1e3, 1e4, 1e5, 1e6):
-                speed, did = creep(depth, times, rest)
-                value = speed*rest if times < 1 else speed
-                first = first or value
-                yield row("arrest", f"H/R {depth}, {times} of the load, rest"
-                          f" {rest:g}", 96, value, first, did)
-        low, high, load = 0.97, 1.03, yielding.channel_load(depth, 4000)
+            exact = yielding.RegularisedChannel(2*times*load, 1/depth)
+            for rest, speed in zip(rests, exact.speeds(rests)):
+                unit = rest if times < 1 else 1
+                for n in (96, 192):
+                    value, did = creep(depth, times, rest, n)
+                    yield row("arrest", f"H/R {depth}, {times} of the load,"
+                              f" rest {rest:g}", n, value*unit, speed*unit, did)
+        low, high = 0.97, 1.03
         while high - low > 1e-3:
             times = 0.5*(low + high)
             one, _ = creep(depth, times, 1e5)
@@ -101,6 +107,23 @@ def arrest():
             flows = np.log10(one/two) < 0.5
             low, high = (low, times) if flows else (times, high)
         yield row("load", f"H/R {depth}", 96, times*load, load, did)
+
+
+def ways():
+    """Steps of a layer that yields everywhere with larger rates of
+    regularisation on the way, by Cosserat viscosity, depth, rate and mesh."""
+    for q in (0.25, 1, 4):
+        for depth in (1, 10, 50):
+            for eps in (1e-2, 1e-3, 1e-4):
+                for n in (32, 64, 128, 256):
+                    case, _, did = run("way", "bingham", {
+                        "etaP": eps/10, "tauY": 1, "eps": eps, "R": 1/depth,
+                        "regularisation": "BercovierEngelman", "etaCRatio": q,
+                        "B": "infinite"}, n, V=1, grading=10,
+                        continuation=ON_THE_WAY)
+                    yield row("way", f"etaC/eta {q}, H/R {depth}, eps {eps:g}",
+                              n, wall_stress(case),
+                              yielding.layer_stress(depth, q), did)
 
 
 def methods():
@@ -213,5 +236,5 @@ def bands():
 def study():
     """Rows: test, parameters, cells, value, reference, error (relative), order,
     nonlinear (steps), linear (iterations), cpu (s)."""
-    return [*channels(), *layers(), *arrest(), *methods(),
-            *notches(), *plugs(), *punches(), *bands()]
+    return [*channels(), *layers(), *arrest(), *ways(),
+            *methods(), *notches(), *plugs(), *punches(), *bands()]

@@ -50,6 +50,10 @@ Foam::nonlinearControl::searchNames
 //- of Picard steps: more accurate ones do not save steps
 static const Foam::scalar largestShare = 0.01;
 
+//- Residual at which a rate of regularisation on the way is left for the next:
+//- one that is smaller costs steps and saves none of the last rate
+static const Foam::scalar onTheWay = 0.1;
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -141,7 +145,7 @@ void Foam::nonlinearControl::giveUp(const scalar residual)
         FatalErrorInFunction
             << "Flow and materials do not agree after " << n_ - 1
             << " steps, nonlinear residual "
-            << residual << " instead of " << tolerance_ << nl
+            << residual << " instead of " << asked_ << nl
             << "    Cures, in system/fvSolution, creepingFlow: in nonlinear"
             << " more nPicard, a continuation such as (100 10 1), a larger"
             << " maxIter or tolerance, a smaller number as inner; or"
@@ -181,6 +185,7 @@ Foam::nonlinearControl::nonlinearControl
         dict.getOrDefault<scalarList>("continuation", scalarList(1, 1.0))
     ),
     warn_(warn),
+    asked_(tolerance_),
     n_(0),
     lastResidual_(0),
     lastShare_(0),
@@ -221,8 +226,9 @@ Foam::nonlinearControl::nonlinearControl
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::nonlinearControl::start()
+void Foam::nonlinearControl::start(const bool last)
 {
+    asked_ = last ? tolerance_ : max(tolerance_, onTheWay);
     n_ = 0;
     lastResidual_ = 0;
     ++nSolves_;
@@ -233,7 +239,7 @@ bool Foam::nonlinearControl::goOn(const scalar residual)
 {
     ++n_;
 
-    if (residual <= tolerance_)
+    if (residual <= asked_)
     {
         return false;
     }

@@ -292,7 +292,8 @@ void Foam::nonlinearSolver::solveOne
 (
     scalarField& x,
     operatorState& s,
-    flexibleGMRES::performance& result
+    flexibleGMRES::performance& result,
+    const bool last
 )
 {
     scalarField r;
@@ -304,7 +305,7 @@ void Foam::nonlinearSolver::solveOne
         result.initial = result.final;
     }
 
-    control_.start();
+    control_.start(last);
     for (label n = 1; control_.goOn(whole(result.final)); ++n)
     {
         system_.holdCorners(n > cornersFollow);
@@ -391,7 +392,7 @@ Foam::flexibleGMRES::performance Foam::nonlinearSolver::solve
             materials_.relax(factor);
         }
         friction_.relax(factor);
-        solveOne(x, s, result);
+        solveOne(x, s, result, factor == 1);
     }
     continued_ = true;
 
