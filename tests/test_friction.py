@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from cosserat import yielding
+from cosserat.finiteElements.janssen import plug_pressures
 from cosserat.scenes import plug
 from cosserat.scenes.axial import AxialCase
 from cosserat.scenes.box import Box
@@ -74,6 +75,21 @@ def test_janssen(tmp_path):
     power = case.table("power", "powerBalance.dat")[-1]
     assert abs(power[-1]/power[2] - 1) < 1e-3
     assert abs(power[6]) < 1e-6
+
+
+def test_plug_resolved_across(tmp_path):
+    """Mean pressures, up to 2 % above Janssen's, are those of finite elements
+    that bear the same friction on the wall."""
+    case = plug.Plug(tmp_path/"case", n=8, down=40).write()
+    plug.solve(case)
+    y, level = np.unique(np.round(case.centres()[:, 1], 9),
+                         return_inverse=True)
+    mean = np.bincount(level, case.field("p"))/np.bincount(level)
+    z, exact, _ = plug_pressures(0.3)
+    inner = (z > 0.5) & (z < 4)
+    error = np.interp(-z, y, mean)/exact - 1
+    assert np.abs(error[inner]).max() < 3e-3
+    assert (exact/yielding.janssen(z, 0.3))[inner].max() > 1.015
 
 
 @pytest.mark.parametrize("mu, bound", [(0.3, 2.2e-2), (0.03, 2.6e-4)])

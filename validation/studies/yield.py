@@ -120,7 +120,7 @@ def ways():
                         "etaP": eps/10, "tauY": 1, "eps": eps, "R": 1/depth,
                         "regularisation": "BercovierEngelman", "etaCRatio": q,
                         "B": "infinite"}, n, V=1, grading=10,
-                        continuation=ON_THE_WAY)
+                        method="stressVelocity", continuation=ON_THE_WAY)
                     yield row("way", f"etaC/eta {q}, H/R {depth}, eps {eps:g}",
                               n, wall_stress(case),
                               yielding.layer_stress(depth, q), did)
