@@ -106,7 +106,7 @@ void Foam::flowPreconditioners::blockTriangular::apply
 {
     const label n = system_.nCells();
     const partialOperators& parts = system_.parts();
-    const scalarField p(firstPressure(r));
+    const scalarField p(pressureOf(r));
     scalarField left(r);
     z.setSize(r.size());
 
@@ -118,15 +118,7 @@ void Foam::flowPreconditioners::blockTriangular::apply
     parts.addPressureForce(p, s_, left);
     cycle(0, left, z);
     cycle(1, left, z);
-
-    parts.addDivergence(z, s_, left);
-    SubList<scalar>(z, n, 2*n) = scalarField(p + pressureOf(left));
-
-    if (system_.cosserat())
-    {
-        parts.addCurl(z, s_, left);
-        cycle(2, left, z);
-    }
+    SubList<scalar>(z, n, 2*n) = p;
 }
 
 

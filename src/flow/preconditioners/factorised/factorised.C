@@ -91,7 +91,7 @@ void Foam::flowPreconditioners::factorised::apply
 ) const
 {
     const label n = system_.nCells();
-    const scalarField p(firstPressure(r));
+    const scalarField p(pressureOf(r));
     scalarField left(r);
     z.setSize(r.size());
 
@@ -100,9 +100,7 @@ void Foam::flowPreconditioners::factorised::apply
     scalarField b(matrix_.ordered(left));
     factorisation_->solve(b);
     matrix_.spread(b, z);
-
-    system_.parts().addDivergence(z, s_, left);
-    SubList<scalar>(z, n, 2*n) = scalarField(p + pressureOf(left));
+    SubList<scalar>(z, n, 2*n) = p;
 }
 
 
