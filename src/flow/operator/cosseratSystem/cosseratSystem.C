@@ -364,7 +364,7 @@ Foam::cosseratSystem::cosseratSystem
     pressure_(mesh_, boundary, K_, gradient_, loads_, stabilisation_),
     parts_
     (
-        mesh_, boundary, K_, hoop_, gradient_, pressure_, stabilisation_, all_
+        mesh_, boundary, K_, hoop_, pressure_, stabilisation_, all_
     ),
     corners_(mesh, frame, halo, boundary, wantCorners),
     pressureFloats_(false),

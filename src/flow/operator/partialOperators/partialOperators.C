@@ -31,7 +31,6 @@ Foam::partialOperators::partialOperators
     const flowBoundary& boundary,
     const viscousCoefficients& K,
     const hoopForce& hoop,
-    const cellGradient& gradient,
     const pressureForce& pressure,
     const surfaceStabilisation& stabilisation,
     const unknowns& all
@@ -41,7 +40,6 @@ Foam::partialOperators::partialOperators
     boundary_(boundary),
     K_(K),
     hoop_(hoop),
-    gradient_(gradient),
     pressure_(pressure),
     stabilisation_(stabilisation),
     all_(all)
