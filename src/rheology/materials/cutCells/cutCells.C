@@ -36,6 +36,9 @@ static const Foam::scalar smallestCut = 1e-9;
 //- Cosine of the angle between a wall's normal and that of what faces it
 static const Foam::scalar towards = 0.5;
 
+//- Viscosity, by that of a stiffer material, of what stands in for empty space
+static const Foam::scalar air = 1.0/300;
+
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -233,22 +236,25 @@ void Foam::cutCells::setPlanes(const label m, const volScalarField& alpha)
 }
 
 
-Foam::label Foam::cutCells::stiffest(const label celli) const
+bool Foam::cutCells::onAir(const label celli) const
 {
     const scalarField& fraction = fraction_[row_[celli]];
-    label m = -1;
-    forAll(fraction, i)
+    const scalar centre = pure(centre_[celli], celli).a;
+
+    scalar softest = centre;
+    forAll(fraction, m)
     {
-        if
-        (
-            fraction[i] > smallestCut
-         && (m < 0 || pure(i, celli).a > pure(m, celli).a)
-        )
+        if (fraction[m] > smallestCut)
         {
-            m = i;
+            const scalar a = pure(m, celli).a;
+            if (a > centre)
+            {
+                return false;
+            }
+            softest = min(softest, a);
         }
     }
-    return m;
+    return softest < air*centre;
 }
 
 
@@ -266,8 +272,8 @@ void Foam::cutCells::setMixed(const fvMesh& mesh)
                 if
                 (
                     row >= 0
-                 && m == stiffest(celli)
                  && (normal_[row][m] & n[i]) > towards
+                 && onAir(celli)
                 )
                 {
                     mixed_[celli] = true;
