@@ -5,7 +5,7 @@ of."""
 import numpy as np
 import pytest
 
-from cosserat.scenes import bodies, jumps, regions
+from cosserat.scenes import bodies, jumps, rayleighTaylor, regions
 from cosserat.analytic import (GravityChannel, Layers, Material, ShearLayer,
                                SolCx)
 from cosserat.references import JUMPS
@@ -175,6 +175,19 @@ def test_cut_cells_are_accurate(tmp_path, name, contrast, cells, near):
     found, _ = jumps.run(tmp_path/"case", name, contrast, cells)
     assert abs(found["quantities"]["u"].error) < near
     assert found["iterations"] < 75
+
+
+@pytest.mark.slow
+def test_a_light_layer_drains_in_a_film(tmp_path):
+    """Peak of van Keken et al. at a ratio of 0.01, by the mean that is the
+    default: a film on the bottom, thinner than a cell, carries what sinks. As
+    of air it would be mixed, and the peak 20 % low."""
+    end, step, published, when = rayleighTaylor.SCENES[0.01]
+    case = rayleighTaylor.scene(tmp_path, 0.01, 32, end, step, "layered")
+    case.run("cosseratPicFoam")
+    highest, at = rayleighTaylor.peak(rayleighTaylor.speeds(case))
+    assert highest == pytest.approx(published, rel=0.032)
+    assert at == pytest.approx(when, rel=0.012)
 
 
 @pytest.mark.parametrize("name", jumps.SCENES)

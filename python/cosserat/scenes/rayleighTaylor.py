@@ -108,6 +108,9 @@ def growth_rate(path, ratio, n, average="harmonic"):
 def peak(rows):
     """Highest speed and its time, by a parabola through what is near."""
     top = int(np.argmax(rows[:, 1]))
+    if rows[top, 0] > 0.96*rows[-1, 0]:
+        raise ValueError(f"no peak before the end, {rows[-1, 0]}: the speed is"
+                         f" highest, {rows[top, 1]}, at {rows[top, 0]}")
     near = rows[np.abs(rows[:, 0] - rows[top, 0]) < 0.04*rows[top, 0]]
     a, b, c = np.polyfit(near[:, 0] - rows[top, 0], near[:, 1], 2)
     return c - b**2/(4*a), rows[top, 0] - b/(2*a)
