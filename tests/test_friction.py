@@ -60,7 +60,7 @@ def test_janssen(tmp_path):
     its weight; each wall bears mu of its normal load."""
     case = plug.Plug(tmp_path/"case").write()
     did = plug.solve(case)
-    assert did["nonlinear"] <= 6
+    assert did["nonlinear"] <= 7
     assert did["residuals"][-1] < 1e-2*did["residuals"][-2]
 
     depth = -case.centres()[:, 1]

@@ -120,7 +120,7 @@ SCENES = {
     "columnSlump": Scene(weight, -8.51e-3, {"eta_n": 1.01}),
     "columnSlump, R 0.5": Scene(weight, -8.12e-3, {"eta_n": 1.01}, {"R": 5}),
     "dune": Scene(weight, 1.05e-2, {"eta": 0.99}),
-    "dune, R 0.02": Scene(weight, -7.5e-4, {"eta": 1.01}, {"R": 0.2}),
+    "dune, R 0.02": Scene(weight, -2.68e-3, {"eta": 1.01}, {"R": 0.2}),
     "sinkingInclusion": Scene(disc_speed, 4.9e-3, {"eta": 0.99}),
     "sinkingInclusion, classical": Scene(disc_speed, -1.215e-2,
                                          {"eta": 1.01}, CLASSICAL),
@@ -208,14 +208,14 @@ def test_fall_of_the_inclusion(tutorial, eta, fails):
 @pytest.mark.slow
 @pytest.mark.parametrize("eta_n, fails", [("3e4", False), ("3.03e4", True)])
 def test_spread_of_the_column(tutorial, eta_n, fails):
-    """Volume beyond the foot after 8 s on 32 x 16 cells: -1.23 % off."""
+    """Volume beyond the foot after 8 s on 32 x 16 cells: -1.71 % off."""
     case = tutorial("columnSlump", mesh={"nx": 32, "ny": 16},
                     materials={"eta_n": eta_n})
     case.run("cosseratPicFoam")
     beyond = case.table("spread", "materialOutflow.dat")[-1, 1]
     error = beyond/REFERENCES["columnSlump, spread"].value - 1
     print(error)
-    assert (abs(error) > 1.3e-2) == fails
+    assert (abs(error) > 1.75e-2) == fails
 
 
 @pytest.mark.slow
