@@ -75,13 +75,14 @@ def test_volumes_are_told_at_the_end(discharges):
 
 
 def test_every_step_converges(discharges):
-    """No step left unconverged, 42 outer iterations on average and at most
-    71 in one, as the last of the fill thins out."""
-    for case in discharges.values():
-        log = case.log()
+    """No step left unconverged; 50 outer iterations on average without an
+    internal length and 39 with one, at most 84 and 55 in one, as the last of
+    the fill thins out."""
+    for name, most, mean in (("0", 85, 50), ("2/3", 57, 39)):
+        log = discharges[name].log()
         rows = residuals(log)
-        assert max(row[3] for row in rows) <= 75
-        assert np.mean([row[3] for row in rows]) < 43
+        assert max(row[3] for row in rows) <= most
+        assert np.mean([row[3] for row in rows]) < mean
         assert max(row[2] for row in rows) <= 1e-6
 
 
