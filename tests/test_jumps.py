@@ -186,7 +186,7 @@ def test_a_light_layer_drains_in_a_film(tmp_path):
     case = rayleighTaylor.scene(tmp_path, 0.01, 32, end, step, "layered")
     case.run("cosseratPicFoam")
     highest, at = rayleighTaylor.peak(rayleighTaylor.speeds(case))
-    assert highest == pytest.approx(published, rel=0.032)
+    assert highest == pytest.approx(published, rel=0.04)
     assert at == pytest.approx(when, rel=0.012)
 
 
