@@ -366,6 +366,17 @@ class Flow:
         total = self.reactions[sorted(nodes)].sum(axis=0)
         return total[:2], float(total[2])
 
+    def wall_tractions(self, where):
+        """Places (x, y) of the nodes of walls whose middles of sides satisfy
+        where, and tractions on the medium there [Pa], from the reactions."""
+        weights = np.zeros(self.n_nodes)
+        for cell, side in zip(*self.mesh.boundary(where)):
+            nodes, _, values, normal = self._side(cell, side)
+            weights[nodes] += values.T @ np.hypot(*normal.T)
+        nodes = np.flatnonzero(weights)
+        return (self.xy[nodes].T,
+                self.reactions[nodes, :2]/weights[nodes, None])
+
     def dissipation(self):
         """int 2 eta D:D + 4 etaC s^2 + M |grad omega|^2 [W/m]."""
         return float(self.x @ (self.A @ self.x))

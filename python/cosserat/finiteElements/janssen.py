@@ -8,18 +8,6 @@ from cosserat.finiteElements.mesh import Mesh
 from cosserat.yielding import janssen
 
 
-def _at_wall(flow, mesh, side):
-    """Heights of the wall's nodes, and normal tractions there."""
-    weights = np.zeros(flow.n_nodes)
-    for cell, number in zip(*mesh.boundary(side)):
-        nodes, _, values, normal = flow._side(cell, number)
-        weights[nodes] += values.T @ np.hypot(*normal.T)
-    nodes = np.flatnonzero(weights)
-    nodes = nodes[np.argsort(flow.xy[nodes, 1])]
-    # Around an axis at the radius one: per radian
-    return flow.xy[nodes, 1], -flow.reactions[nodes, 0]/weights[nodes]
-
-
 def plug_pressures(mu, axial=False, depth=5.0, across=4, down=40):
     """Depths, mean pressures there over a section, and normal tractions of the
     wall, of a plug of unit weight on a fixed bottom, whose wall bears mu of its
@@ -40,7 +28,9 @@ def plug_pressures(mu, axial=False, depth=5.0, across=4, down=40):
             Wall(side, normal=0, traction=(
                 0, lambda x, y: mu*np.interp(y, heights, loads))),
             Wall(lambda x, y: np.isclose(y, -depth), u=(0, 0))])
-        now, found = _at_wall(flow, mesh, side)
+        (_, now), found = flow.wall_tractions(side)
+        order = np.argsort(now)
+        now, found = now[order], -found[order, 0]
         change = np.abs(found - np.interp(now, heights, loads)).max()
         heights, loads = now, found
 

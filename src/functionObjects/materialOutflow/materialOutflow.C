@@ -25,6 +25,7 @@ License
 #include "checkedEntry.H"
 #include "materialPointCloud.H"
 #include "creepingFlow.H"
+#include "oneLayer.H"
 #include "planarFrame.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -127,7 +128,8 @@ Foam::functionObjects::materialOutflow::materialOutflow
     (
         axial_.active()
       ? 1/axial_.toCircle()
-      : mesh_.bounds().span()[planarFrame(mesh_).normalAxis()]
+      : mesh_.bounds().span()
+        [planarFrame(oneLayer::check(mesh_)).normalAxis()]
     ),
     lastVolume_(0),
     lastTime_(GREAT)

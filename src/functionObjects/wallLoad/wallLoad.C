@@ -378,7 +378,7 @@ Foam::functionObjects::wallLoad::wallLoad
 :
     fvMeshFunctionObject(name, runTime, dict),
     writeFile(obr_, name),
-    e_(planarFrame(mesh_).e()),
+    e_(planarFrame(oneLayer::check(mesh_)).e()),
     axial_(mesh_),
     corners_(false),
     nBin_(0),

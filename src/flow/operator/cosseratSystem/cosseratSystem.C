@@ -362,10 +362,7 @@ Foam::cosseratSystem::cosseratSystem
     gradient_(mesh_, boundary, K_),
     viscous_(mesh_, boundary, K_),
     pressure_(mesh_, boundary, K_, gradient_, loads_, stabilisation_),
-    parts_
-    (
-        mesh_, boundary, K_, hoop_, pressure_, stabilisation_, all_
-    ),
+    parts_(mesh_, boundary, K_, hoop_, pressure_, stabilisation_, all_),
     corners_(mesh, frame, halo, boundary, wantCorners),
     pressureFloats_(false),
     rAUf_(mesh_.nFaces(), Zero),
