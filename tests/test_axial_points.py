@@ -150,6 +150,7 @@ def test_sphere_of_points(tmp_path, R, error):
         error, abs=5e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_restart(tmp_path, ranks):
     """To the bit, in parts as well."""

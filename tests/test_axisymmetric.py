@@ -159,6 +159,7 @@ def test_thin_ring(tmp_path):
         assert np.abs(a - b).max() < 1e-6*np.abs(b).max()
 
 
+@pytest.mark.slow
 def test_cut_cells(tmp_path):
     """So is a ring of two materials with a leaning surface through cells."""
     materials = {"a": {"eta": 1, "etaC": 1, "R": 0.1},
@@ -273,6 +274,7 @@ def test_power_law_in_a_cone(tmp_path, n, bound):
     assert int(steps[1]) < 20
 
 
+@pytest.mark.slow
 def test_round_silo_that_yields(tutorial):
     """Its rate at the start, by finite elements with the same small rate; far
     above that yield stress what is left of it goes with the small rate."""

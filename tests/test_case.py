@@ -39,6 +39,7 @@ def gone(pid):
     return False
 
 
+@pytest.mark.slow
 def test_what_takes_too_long_is_killed(case):
     """With all that it has started; the message ends with its log."""
     with pytest.raises(RunError, match=r"(?s)killed after 2 s.*step 1"):
@@ -47,6 +48,7 @@ def test_what_takes_too_long_is_killed(case):
     assert gone(int((case.path/"child").read_text()))
 
 
+@pytest.mark.slow
 def test_ranks_are_killed(case):
     """Those that mpirun has started."""
     with pytest.raises(RunError, match="killed after"):

@@ -80,6 +80,7 @@ def test_materials_in_another_order(scene, ranks, order):
     assert np.abs(whole.field("U")).max() > 1e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("left", [
     {"b": (3, 1)}, {"a": (1, 2), "c": (3, 1)}, {"A": (1, 2), "b": (3, 1)}])
 def test_material_that_is_gone(scene, left):
@@ -113,6 +114,7 @@ def test_decomposed_and_reconstructed(scene):
     assert (kinds == 1).sum() == (before == 0).sum() > 0
 
 
+@pytest.mark.slow
 def test_redistributed(scene):
     """So does redistributePar take points and names along, on two ranks."""
     case, whole = scene(ranks=2), scene("whole", ranks=2)
@@ -135,6 +137,7 @@ def test_redistributed(scene):
     assert 0 < found[1][1].sum() < found[1][1].size
 
 
+@pytest.mark.slow
 def test_dye_stays_when_patterns_change(scene):
     """A mark is the point's: patterns reordered, another one, or none."""
     case = scene()
@@ -178,6 +181,7 @@ def test_tracers_in_another_order(scene, later):
         assert f"tracer{p}, from" in case.log()
 
 
+@pytest.mark.slow
 def test_case_of_before(scene):
     """A time that does not say the names has them in the present order, and
     this is told."""

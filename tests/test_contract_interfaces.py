@@ -62,6 +62,7 @@ def test_vtkCloud(run, ranks):
     assert set(found["dye"]) > {0, 1, 2}
 
 
+@pytest.mark.slow
 def test_vtkCloud_of_a_choice(run):
     """Points of one material, chosen as of any other cloud."""
     case, _ = run("vtk { type vtkCloud; libs (lagrangianFunctionObjects);"
@@ -73,6 +74,7 @@ def test_vtkCloud_of_a_choice(run):
     assert n == (case.cloud("material") == 0).sum() > 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("field", ["volume", "material"])
 def test_dataCloud(run, field):
     """A column of the points beside their places."""
@@ -86,6 +88,7 @@ def test_dataCloud(run, field):
                        rtol=1e-4)
 
 
+@pytest.mark.slow
 def test_particleDistribution(run):
     """Number and volume of the points by material."""
     case, _ = run("""spread
@@ -97,6 +100,7 @@ def test_particleDistribution(run):
     assert list(case.path.glob("postProcessing/spread/**/*"))
 
 
+@pytest.mark.slow
 def test_cloudInfo(run):
     """It is of parcels that have a diameter: an error, or not a row."""
     case, done = run("info { type cloudInfo; libs (lagrangianFunctionObjects);"

@@ -28,6 +28,7 @@ def last(case, file="wallLoad", name="load"):
     return row[1:4], row[4:7], row[7:10], row[10], row[11]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize("scene", ["one", "layers", "offset", "triangles"])
 def test_walls_bear_the_weight_at_rest(box, scene, ranks):
@@ -94,6 +95,7 @@ def test_each_wall_of_a_vessel(box):
     assert not (case.path/"postProcessing/load/0/wallLoad_top.dat").exists()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_bins(box, ranks):
     """Of the pressure of depth on the walls of a closed box: a bin has the
@@ -111,6 +113,7 @@ def test_bins(box, ranks):
     assert np.abs(rows[:, 4:]).max() < 1e-9
 
 
+@pytest.mark.slow
 def test_shear_layer(box):
     """Couette flow of a Cosserat layer between rough walls: shear traction and
     couple on either wall are those of the analytic solution."""
@@ -139,6 +142,7 @@ def test_shear_layer(box):
                        -exact.couple_stress(0.5), rtol=5e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("region, shear", [
     ("type disc; centre (0.1 0.1 0); radius 0.2;", 0.01),
     ("type box; min (-1 -0.1 -1); max (0.1 0.3 1);", 0.001),
@@ -179,6 +183,7 @@ def test_silo(tutorial, ranks):
     assert np.allclose(walls + corners, force, atol=1e-8*weight)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("entries, words", [
     ("patches (left wall);", ["patches", "wall", "left right bottom top"]),
     ("patches (frontAndBack);", ["frontAndBack", "neither empty"]),
@@ -198,6 +203,7 @@ def test_mistakes(box, entries, words):
         assert word in text, text
 
 
+@pytest.mark.slow
 def test_times_already_written(box):
     """-postProcess gives the rows of the run."""
     case = box(n=8, materials={"light": LIGHT}, g=(0, -1, 0), walls=HELD)

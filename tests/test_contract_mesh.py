@@ -65,6 +65,7 @@ def place(case, text):
     return int(cell), np.array(at, float)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("layers", [2, 3])
 def test_layers(block, layers):
     """More than one."""
@@ -94,6 +95,7 @@ def test_slanted_extrusion(block, slant):
         np.hypot(*slant), rel=1e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("change, words", [
     (lambda p: p*(1, 1, -1), "has the volume -"),
     (lambda p: p*(-1, 1, 1), "has the volume -"),
@@ -163,6 +165,7 @@ def test_other_meshes_are_borne(box, options):
     case.run("cosseratPicFoam", "-solveOnce")
 
 
+@pytest.mark.slow
 def test_on_two_ranks(block):
     """Each rank looks at its part."""
     case = block()

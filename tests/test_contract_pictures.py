@@ -87,6 +87,7 @@ FORMATS = [("binary", "off", None), ("ascii", "on", None),
            ("binary", "on", None), ("binary", "off", "collated")]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("plane", TURNED)
 @pytest.mark.parametrize("format, compression, handler", FORMATS[:3])
 def test_arrays_are_those_of_ascii(scene, plane, format, compression, handler):

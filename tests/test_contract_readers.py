@@ -100,6 +100,7 @@ def test_what_openfoam_reads(lid, expected, file, pattern, replacement):
     assert power(case) == pytest.approx(expected, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("velocity, viscosity", [
     ("[m s^-1]", "[Pa s]"), ("[m/s]", "[kg m^-1 s^-1]")])
 def test_flux_in_units_by_name(box, velocity, viscosity):
@@ -296,6 +297,7 @@ def test_fractions_beside_points_are_told(box):
     assert "0/alpha.a: fractions are those of the points" in log
 
 
+@pytest.mark.slow
 def test_what_is_read_is_not_told(box):
     """Of a case with nothing too many, at the start and when it goes on; a
     file that another one includes is read."""

@@ -131,6 +131,7 @@ def test_solve_once_on_two_ranks(box):
     assert np.allclose(*fields, atol=1e-9) and np.abs(fields[0]).max() > 1e-3
 
 
+@pytest.mark.slow
 def test_solve_once_at_a_time_that_a_run_has_written(layers):
     """Of the last time, when a constant has changed: twice the viscosity, half
     the speed."""
@@ -149,6 +150,7 @@ def test_solve_once_at_a_time_that_a_run_has_written(layers):
     assert np.allclose(2*case.field("U", "1"), before, rtol=1e-6, atol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("entries", [
     {"startFrom": "latestTime"},
     {"startFrom": "startTime", "startTime": 1, "endTime": 0.5},
@@ -166,6 +168,7 @@ def test_start_with_no_step_to_make(layers, entries):
     assert before == {p: p.stat().st_mtime_ns for p in case.path.rglob("1/*")}
 
 
+@pytest.mark.slow
 def test_dry_run_at_the_end_is_still_one(layers):
     """It asks for no endTime."""
     case = layers()
@@ -174,6 +177,7 @@ def test_dry_run_at_the_end_is_still_one(layers):
     assert "Step 1" in case.run("cosseratPicFoam", "-dry-run").stdout
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("tolerance, eta", [
     ("1e-16", 1), ("5e-17", 1e3), ("3e-17", 1e-3)])
 def test_tolerance_below_rounding(box, tolerance, eta):
@@ -213,6 +217,7 @@ def test_disc(box, centre, radius):
     assert inside.any() and (inside == (material == 1)).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("entries, words", [
     ("centre (0 0 0); radius 0;", ["radius", "above zero"]),
     ("centre (0 0 0); radius -1;", ["radius", "-1"]),

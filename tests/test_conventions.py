@@ -68,6 +68,7 @@ def test_doc_names_files_that_are_there(template):
     assert len(files) == 4 and all(file.exists() for file in files)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("option", ["-dry-run", "-dry-run-write"])
 def test_dry_run_is_the_first_step(template, option):
     """On the mesh of the case; it writes a time only where asked to."""
@@ -153,6 +154,7 @@ omega { boundaryField { floor { type zeroGradient; } } }
     assert slide[1] > 1.5*slide[0]
 
 
+@pytest.mark.slow
 def test_setFields_gives_the_fractions(template):
     """A scene whose fractions are set by setFields flows as the one whose
     points fill the same cells."""
@@ -194,6 +196,7 @@ regions
     assert first[0] == first[1] and first[0]
 
 
+@pytest.mark.slow
 def test_topoSet_and_refineMesh(template):
     """Cells of a box halved both ways: cells with five edges beside them."""
     case = template()

@@ -113,6 +113,7 @@ def test_rate_can_fail(tmp_path):
     assert abs(rate(case)/SILO[name].value - 1 - RATES[name][0]) > 5e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name, error", [
     ("slip starts", 4.8e-3), ("slip starts, Cosserat", -1.3e-3),
     ("plate 1/8, slip", -3.79e-2), ("plate 1/8, no slip", -8.9e-3)])

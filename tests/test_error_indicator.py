@@ -28,6 +28,7 @@ SCENES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scene, n", SCENES)
 def test_order_of_cells(tmp_path, scene, n):
     """Sum and order of the cells beside their true errors."""
@@ -40,6 +41,7 @@ def test_order_of_cells(tmp_path, scene, n):
     assert (indicator > 0).all() and (true > 0).all()
 
 
+@pytest.mark.slow
 def test_bounds_can_fail(tmp_path):
     """The power that cells dissipate, which is large where the flow is, does
     not order them so."""
@@ -49,6 +51,7 @@ def test_bounds_can_fail(tmp_path):
     assert rank_correlation(case.field("errorIndicator"), true) > 0.97
 
 
+@pytest.mark.slow
 def test_halved_where_it_says(tmp_path):
     """Half the cells' size in the tenth of them that the indicator picks takes
     away most of what it does everywhere; in the best tenth, nothing."""
@@ -85,6 +88,7 @@ def test_linear_flow_has_none(box):
     assert np.isfinite(case.table("error", "errorIndicator.dat")).all()
 
 
+@pytest.mark.slow
 def test_table(box):
     """Sums and the share of the worst tenth are those of the field."""
     case = box(n=10, materials=MATERIAL,
@@ -104,6 +108,7 @@ def test_table(box):
     assert 0.1 < share < 0.9
 
 
+@pytest.mark.slow
 def test_cyclic_by_rotation(tmp_path):
     """A flow the same at all angles: so is the indicator, at the ends too."""
     case = Annulus(tmp_path/"case", n=8, materials=MATERIAL, tolerance=1e-12,
@@ -118,6 +123,7 @@ def test_cyclic_by_rotation(tmp_path):
     assert rings[0, 0] > 2*rings[0, -1] > 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name, method, mesh", [
     ("annularCouette", "scotch", {"nAcross": 8, "nQuarter": 12}),
     ("shearLayer", "simple", {}), ("sinkingInclusion", "simple", {"n": 16})])
@@ -147,6 +153,7 @@ coeffs {{ n (3 1 1); delta 0.001; }}
     assert np.abs(fields[1] - fields[0]).max() < 1e-6*fields[0].max()
 
 
+@pytest.mark.slow
 def test_after_the_run(tutorial):
     """-postProcess gives the row and field of the run, from what it has
     written."""

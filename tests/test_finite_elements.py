@@ -80,6 +80,7 @@ def test_layer_of_given_traction():
     assert force == pytest.approx([-1, 0], abs=1e-9)
 
 
+@pytest.mark.slow
 def test_layer_that_yields():
     """Its limit stress, less what plastic viscosity and small rate add."""
     mesh = Mesh.tensor(np.linspace(0, 1, 4), np.linspace(-0.5, 0.5, 25),
@@ -271,6 +272,7 @@ def test_round_silo():
         pytest.approx(ROUND_SILO[2/3].value, rel=2.6e-3))
 
 
+@pytest.mark.slow
 def test_viscosity_of_the_silo_tells(monkeypatch):
     """One per cent of it spoils the flow rate."""
     monkeypatch.setattr(Silo, "ETA", 1.01*Silo.ETA)

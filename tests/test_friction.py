@@ -49,12 +49,14 @@ def test_a_plate_that_holds_or_slips(tmp_path, adhesion):
     assert abs(stress/min(adhesion, 1) - 1) < 6e-3
 
 
+@pytest.mark.slow
 def test_a_plate_is_the_same_on_a_sheared_mesh(tmp_path):
     """Where the speed of the wall follows the gradient of its cell."""
     assert abs(slid(tmp_path/"case", 0.5, shear=0.4)[0]
                / slid(tmp_path/"square", 0.5)[0] - 1) < 1e-9
 
 
+@pytest.mark.slow
 def test_janssen(tmp_path):
     """Pressures of a plug that slides along both walls; walls and bottom bear
     its weight; each wall bears mu of its normal load."""
@@ -77,6 +79,7 @@ def test_janssen(tmp_path):
     assert abs(power[6]) < 1e-6
 
 
+@pytest.mark.slow
 def test_plug_resolved_across(tmp_path):
     """Mean pressures, up to 2 % above Janssen's, are those of finite elements
     that bear the same friction on the wall."""
@@ -116,6 +119,7 @@ def test_janssen_in_a_round_bin(tmp_path, mu, bound):
     assert abs(whole/(np.pi*depth) + 1) < 1e-8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("length, rolls", [(1e-3, True), (10, False)])
 def test_grains_roll_or_do_not(tmp_path, length, rolls):
     """Walls bear a couple up to length mu N, and otherwise are rough."""
@@ -136,6 +140,7 @@ def test_grains_roll_or_do_not(tmp_path, length, rolls):
         assert abs(couple/rough - 1) < 1e-2
 
 
+@pytest.mark.slow
 def test_parts_of_a_mesh(tmp_path):
     """On two ranks the steps and the pressures are those of one."""
     runs = []

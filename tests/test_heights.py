@@ -248,6 +248,7 @@ def test_openings_that_give_p(box):
     assert fluxes == pytest.approx([fluxes[0]]*3, rel=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text, words", [
     ("dimensions [0 0 1 0 0 0 0]; value 1;", ["dimensions", "constant/hRef"]),
     ("dimensions [0 1 0 0 0 0 0]; value 1e300;", ["value", "1e+40"]),

@@ -74,6 +74,7 @@ def message(case):
     return done.stdout[done.stdout.index("FOAM FATAL"):]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SCENES)
 def test_scene_is_named(box, name):
     """Cause and place."""

@@ -405,6 +405,7 @@ def test_later_regions_prevail(box):
     assert ((case.cloud("material") == 1) == ((x > 0) & (x < 0.25))).all()
 
 
+@pytest.mark.slow
 def test_mesh_of_three_dimensions(box):
     """Front and back that are not empty."""
     case = box(materials={"a": {"eta": 1, "etaC": 1, "R": .1}})
@@ -430,6 +431,7 @@ def test_missing_field(box):
         assert done.returncode and name in message
 
 
+@pytest.mark.slow
 def test_decomposed_for_other_ranks(box):
     """More ranks than parts of the case."""
     case = box(materials={"a": {"eta": 1, "etaC": 1, "R": .1}})
@@ -438,6 +440,7 @@ def test_decomposed_for_other_ranks(box):
     assert done.returncode and "processor" in done.stdout
 
 
+@pytest.mark.slow
 def test_net_force_on_a_floating_body(box):
     """Traction on all walls that nothing balances."""
     case = box(cyclic=True, materials={"a": {"eta": 1, "etaC": 1, "R": .1}},

@@ -125,6 +125,7 @@ def test_power_balance_on_triangles(box):
     assert abs(pressure) < 0.0135*gravity
 
 
+@pytest.mark.slow
 def test_power_balance_on_refined_squares(box):
     """The same where a few cells beside hanging nodes take the adjoint, from
     gradients that are summed around them alone."""

@@ -166,6 +166,7 @@ def test_points_and_fractions_agree(tmp_path, name, near):
     assert u[0] == pytest.approx(u[1], rel=near)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name, contrast, cells, near", [
     ("blockThroughCells", 1e6, 62, 0.01), ("blockThroughCells", 1e2, 62, 0.01),
     ("blockThroughCells", 1e-4, 62, 0.04), ("disc", 1e6, 64, 0.012)])
@@ -190,6 +191,7 @@ def test_a_light_layer_drains_in_a_film(tmp_path):
     assert at == pytest.approx(when, rel=0.012)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", jumps.SCENES)
 def test_scene_runs(tmp_path, name):
     """Each scene at its mildest jump, on its coarsest cells: what it measures

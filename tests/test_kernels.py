@@ -46,6 +46,7 @@ def kernel(case, name, *options, ranks=1):
             for line in (folder/name).read_text().splitlines()]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mesh, corners", [
     ("squares", 4), ("sheared", 4), ("triangles", 3)])
 def test_corners_of_cells(box, mesh, corners):
@@ -59,6 +60,7 @@ def test_corners_of_cells(box, mesh, corners):
     assert np.allclose([x.mean(0), y.mean(0)], case.centres()[:, :2].T)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_halo_brings_the_other_side(box, ranks):
     """Cyclic sides, whole and cut by processors: values of the cell that is
@@ -187,6 +189,7 @@ CORNERS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CORNERS)
 def test_exponents_of_corners(box, name):
     """Published ones, and those that singular values give in Python."""

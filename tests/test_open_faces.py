@@ -49,6 +49,7 @@ def test_through_walls_or_patches(box, kinds):
             == [1, 1, 1, 1, 1, 1, 0, 0]).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("make_patch", [True, False])
 @pytest.mark.parametrize("entry", [
     "type fixedValue; value uniform (1 0 0);",
@@ -119,6 +120,7 @@ def test_moving_walls_pass_nothing(box):
     assert account(case)[0] == 1024 and account(case)[2] == account(case)[6] == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("side, entry, word", [
     ("top", "type slip;", "slip"), ("top", "type noSlip;", "noSlip"),
     ("top", "type tangentialTraction; traction uniform (1 0 0);",

@@ -200,6 +200,7 @@ def test_pressure_is_evaluated(box, kind):
             flux["unit"][i]*expected(t, y).mean(), rel=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("entry, expected", [
     ("type uniformFixedValue; uniformValue table ((0 0) (2 4));",
      lambda t, x: 2*t + 0*x),
@@ -255,6 +256,7 @@ MIXED = {"mixed", "inletOutlet", "outletInlet", "freestream",
          "pressureInletOutletVelocity"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("field, entry", REFUSED)
 def test_type_is_refused_by_name(box, field, entry):
     """File, patch, type and what is allowed, before anything is solved."""
@@ -355,6 +357,7 @@ def test_types_of_cyclic_patches(box, field, entry):
         assert word in message, message
 
 
+@pytest.mark.slow
 def test_jump_is_not_lost_between_processors(box):
     """Where the sides of a cyclic are on two the jump would be none."""
     case = box(n=8, cyclic=True, walls={"top": STILL, "bottom": STILL},

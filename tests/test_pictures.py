@@ -84,6 +84,7 @@ def test_picture_of_a_field(slump, tmp_path, monkeypatch, options):
     assert len(np.unique(colours.reshape(-1, 3).round(2), axis=0)) > 50
 
 
+@pytest.mark.slow
 def test_outlines(slump, tmp_path, monkeypatch):
     """A line where the speed is a tenth of its largest, and another one of a
     field: both add to the picture, and lie where the values do."""

@@ -36,6 +36,7 @@ def moved(case, properties, steps, dt, ranks=1, **entries):
     return case
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("steps, integration, ranks", [
     (3, "RK2", 1), (10, "Euler", 1), (10, "RK4", 2)])
 def test_strain_of_simple_shear(box, steps, integration, ranks):
@@ -112,6 +113,7 @@ def test_tracers_see_the_same_strain(box):
     assert case.cloud("strain")[at] == pytest.approx(last[9], rel=1e-3)
 
 
+@pytest.mark.slow
 def test_splitting_and_merging_keep_the_sum(box):
     """A carried number in a cavity where points are added and deleted: its sum
     by volume stays, the mean of cells is that of their points, none leaves the
@@ -144,6 +146,7 @@ def test_splitting_and_merging_keep_the_sum(box):
     assert np.abs(case.cloud("strain") - 2.5).max() < 1e-8
 
 
+@pytest.mark.slow
 def test_empty_cells_filled_across_processors(box):
     """One point a cell, in steps of more than a cell: what comes of a point on
     the other side has its value."""

@@ -236,6 +236,7 @@ def test_washout_of_the_hopper(tutorial, eta, fails):
     assert (abs(error) > 1e-3) == fails
 
 
+@pytest.mark.slow
 def test_spread_by_elements():
     """The first second on a coarse mesh (finer ones have 0.03581), and what of
     the volume is lost."""

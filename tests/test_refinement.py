@@ -150,6 +150,7 @@ def copy(run, path):
     return Case(path)
 
 
+@pytest.mark.slow
 def test_points_come_along(run, tmp_path):
     """Those of cells that are refined but little stay as they are; others are
     split; materials keep their volume; the run goes on, also on two
@@ -221,6 +222,7 @@ def test_indicator(run, tmp_path, entries, share):
     assert "Level 2" not in text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("entries, words", [
     ("type corner; levels 1;", ["corner", "indicator", "surface"]),
     ("type corners; levels 0;", ["levels", "0", "1 to 20"]),
@@ -244,8 +246,8 @@ def test_mistakes_are_told(run, entries, words):
     assert (run.path/"0.02/U").read_bytes() == before
 
 
-@pytest.mark.parametrize("name", [
-    pytest.param("start, 2/3", marks=pytest.mark.slow), "filled, 2/3"])
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["start, 2/3", "filled, 2/3"])
 def test_rate_of_the_silo(tmp_path, name):
     """Below 2 % with six levels at the slot, without more iterations; the
     model of corners is right on refined cells too, and where cells at a corner

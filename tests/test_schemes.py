@@ -105,6 +105,7 @@ def asked(scene, path):
     return case
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("entry", ENTRIES)
 def test_every_name_runs(scene, tmp_path, entry):
     """Each name of an entry: converged, the pressure's work an error below one

@@ -45,6 +45,7 @@ def test_discharge_rises_and_falls_with_alpha(discharges):
         assert np.interp(time, *fast.T) > 1.02*np.interp(time, *slow.T)
 
 
+@pytest.mark.slow
 def test_volume_is_kept(discharges):
     """The points keep the granular volume of 25, the mesh to 1 %."""
     for case in discharges.values():
@@ -62,6 +63,7 @@ def test_volume_is_kept(discharges):
             0.1*rows[-1, 4], rel=1e-5)
 
 
+@pytest.mark.slow
 def test_volumes_are_told_at_the_end(discharges):
     """Of the points beside the mesh, and of a material by both."""
     for case in discharges.values():
@@ -74,6 +76,7 @@ def test_volumes_are_told_at_the_end(discharges):
         assert on_mesh == pytest.approx(0.1*rows[-1, 4], rel=1e-6)
 
 
+@pytest.mark.slow
 def test_every_step_converges(discharges):
     """No step left unconverged; 50 outer iterations on average without an
     internal length and 39 with one, at most 84 and 55 in one, as the last of
@@ -86,6 +89,7 @@ def test_every_step_converges(discharges):
         assert max(row[2] for row in rows) <= 1e-6
 
 
+@pytest.mark.slow
 def test_a_yield_stress_slows_it(tutorial):
     """On 8 cells by as much as finite elements say, to a per cent of the rate;
     the rates are as much too fast as the viscous one."""

@@ -158,6 +158,7 @@ def test_trade_off_of_a_case(tmp_path, monkeypatch, capsys):
     assert (tmp_path/"runs/tradeOff/0.5-own/2e-06").is_dir()
 
 
+@pytest.mark.slow
 def test_error_of_a_case_is_the_true_one(tmp_path):
     """The tutorial annularCouette at rest: errors of U and omega beside those
     by the analytic solution."""

@@ -25,6 +25,7 @@ def driven(box, target, walk, deltaT=0.02, steps=20, integration="RK2",
     return log, case.cloud("positions")[:, :2]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("parameters", [
     {}, {"integration": "RK4"}, {"integration": "Euler"},
     {"deltaT": 0.4, "steps": 2},

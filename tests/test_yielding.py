@@ -101,6 +101,7 @@ def test_channel(tmp_path, law, coeffs, rate):
     assert abs(errors[1]) < abs(errors[0])/4
 
 
+@pytest.mark.slow
 def test_edge_of_a_plug_on_a_face(tmp_path):
     """There 64 cells miss 0.26 % of the rate, to 1e-7 what exact rates at their
     faces make of it; 62 cells, whose faces the edge avoids, 0.03 %."""
@@ -150,6 +151,7 @@ def test_exact_layer(depth, a):
     assert abs(closed/depth - 1) < 1e-4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("times", [0.9, 1.1])
 def test_creep_of_a_channel(tmp_path, times):
     """Its speed is that of finite elements with the same regularisation, which
@@ -164,6 +166,7 @@ def test_creep_of_a_channel(tmp_path, times):
         assert abs(cells["U"][:, 0].max()/speed - 1) < 4e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("times, exponent", [(0.9, -1), (1.1, 0)])
 def test_arrest_of_a_channel(tmp_path, times, exponent):
     """Below the load at which it flows the speed is that of a creep, inverse
@@ -179,6 +182,7 @@ def test_arrest_of_a_channel(tmp_path, times, exponent):
     assert abs(measured - exponent) < 0.02
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number, most", [(1, 12), (2, 20)])
 def test_a_notched_block_under_its_weight(tmp_path, number, most):
     """Friction, contrasts of 100 and 1000 to a weak layer: Newton's method
@@ -188,6 +192,7 @@ def test_a_notched_block_under_its_weight(tmp_path, number, most):
     assert did["residuals"][-1] < 0.3*did["residuals"][-2]
 
 
+@pytest.mark.slow
 def test_a_strip_on_a_half_space(tmp_path):
     """Its limit pressure, from three meshes, is Prandtl's; and a Cosserat
     medium, which the strip does not let turn, bears more. (Measured: 0.5 %, and
@@ -204,6 +209,7 @@ def test_a_strip_on_a_half_space(tmp_path):
     assert stiff/pressures[1] == pytest.approx(1.0566, rel=5e-3)
 
 
+@pytest.mark.slow
 def test_width_of_a_band_that_softens(tmp_path):
     """With points that carry strain: by the internal length it hardly depends on
     the mesh, without one it halves; along lines of no extension, at 45 degrees.
@@ -249,6 +255,7 @@ def test_parts_of_a_mesh(tmp_path):
     assert runs[0][1] == runs[1][1]
 
 
+@pytest.mark.slow
 def test_parts_of_a_notched_block(tmp_path):
     """The same where fluxes follow the viscosities of the other rank."""
     runs = []
