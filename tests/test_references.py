@@ -206,16 +206,17 @@ def test_fall_of_the_inclusion(tutorial, eta, fails):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("eta_n, fails", [("3e4", False), ("3.03e4", True)])
+@pytest.mark.parametrize("eta_n, fails", [("3e4", False), ("3.06e4", True)])
 def test_spread_of_the_column(tutorial, eta_n, fails):
-    """Volume beyond the foot after 8 s on 32 x 16 cells: -1.71 % off."""
+    """Volume beyond the foot after 8 s on 32 x 16 cells: -1.87 % off;
+    a single point is 0.16 % of it."""
     case = tutorial("columnSlump", mesh={"nx": 32, "ny": 16},
                     materials={"eta_n": eta_n})
     case.run("cosseratPicFoam")
     beyond = case.table("spread", "materialOutflow.dat")[-1, 1]
     error = beyond/REFERENCES["columnSlump, spread"].value - 1
     print(error)
-    assert (abs(error) > 1.75e-2) == fails
+    assert (abs(error) > 1.9e-2) == fails
 
 
 @pytest.mark.slow

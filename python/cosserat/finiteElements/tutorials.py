@@ -62,16 +62,18 @@ def two_materials(mesh, k, inside, first, second, force, walls):
 AIR = (10.0, 0.0, 0.0)
 
 
-def block(fine, grains=(1000.0, 1000.0, 0.1)):
-    """Tutorials template and schemes: power [W/m] of the block's weight.
-    The plane of symmetry of schemes is one in air, which has no omega."""
+def block(fine, grains=(1000.0, 1000.0, 0.1), fallen=0.0):
+    """Tutorials template and schemes: power [W/m] of the block's weight;
+    fallen: how far [m] it has as it is. The plane of symmetry of schemes is
+    one in air, which has no omega."""
     size = 0.05 if fine else 0.1
+    low, high = 0.4 - fallen, 0.8 - fallen
     mesh = Mesh.tensor(lines([0, 0.2, 0.6, 1], size),
-                       lines([0, 0.4, 0.8, 1], size))
-    mesh.grade([(x, y) for x in (0.2, 0.6) for y in (0.4, 0.8)], 1e-4)
+                       lines([0, low, high, 1], size))
+    mesh.grade([(x, y) for x in (0.2, 0.6) for y in (low, high)], 1e-4)
 
     def inside(x, y):
-        return (np.abs(x - 0.4) < 0.2) & (np.abs(y - 0.6) < 0.2)
+        return (np.abs(x - 0.4) < 0.2) & (low < y) & (y < high)
 
     return two_materials(
         mesh, 4 if fine else 3, inside, grains, AIR, (0, -16000.0),

@@ -31,14 +31,13 @@ Foam::tmp<Foam::scalarField> Foam::frictionInFlow::normal
 ) const
 {
     const faceGeometry& mesh = system_.faces();
-    const Field<vector2D> moved(system_.pressure().moved(s));
     tmp<scalarField> tN(new scalarField(s.normal.size(), Zero));
 
     for (const label f : mesh.oneSided())
     {
         const planarFace& face = mesh[f];
         tN.ref()[mesh.boundaryOf(f)] =
-            system_.pressure().onWall(s, face.nei, moved, true)
+            system_.pressure().onWall(s, face.nei, true)
           - (system_.viscous().onWall(s, f, true) & face.n)/face.S;
     }
     return tN;

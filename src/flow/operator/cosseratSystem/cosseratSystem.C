@@ -155,8 +155,6 @@ void Foam::cosseratSystem::unpack
 
 void Foam::cosseratSystem::setNormal(operatorState& s) const
 {
-    const Field<vector2D> moved(pressure_.moved(s));
-
     for (const label f : mesh_.oneSided())
     {
         const planarFace& face = mesh_[f];
@@ -165,7 +163,7 @@ void Foam::cosseratSystem::setNormal(operatorState& s) const
         {
             // The wall is at rest along a direction
             s.normal[i] =
-                pressure_.onWall(s, face.nei, moved, false)
+                pressure_.onWall(s, face.nei, false)
               + K_[f].Kn*(s.u[face.own] & face.n)/face.S;
         }
     }

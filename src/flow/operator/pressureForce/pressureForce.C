@@ -138,8 +138,8 @@ void Foam::pressureForce::reconstruct(operatorState& s) const
         {
             const planarFace& face = mesh_[f];
             const vector2D F(face.S*s.faceForce[f]/face.dc*face.n);
-            s.f[face.own] += (1 - face.w)*F;
-            s.f[face.nei] += face.w*F;
+            s.f[face.own] += (1 - K_[f].wSoft)*F;
+            s.f[face.nei] += K_[f].wSoft*F;
         }
     );
     for (const label f : mesh_.oneSided())
@@ -151,30 +151,6 @@ void Foam::pressureForce::reconstruct(operatorState& s) const
     forAll(reconstruction_, celli)
     {
         s.f[celli] = reconstruction_[celli] & s.f[celli];
-    }
-}
-
-
-void Foam::pressureForce::weight
-(
-    const scalarField& faceForce,
-    Field<vector2D>& f
-) const
-{
-    for (const jumpFace& jump : K_.jumps())
-    {
-        const planarFace& face = mesh_[jump.f];
-        const scalar change =
-            (K_[jump.f].wSoft - face.w)*faceForce[jump.f]/face.dc;
-
-        for (const label celli : {face.own, face.nei})
-        {
-            if (celli < mesh_.nCells())
-            {
-                f[celli] -= change/mesh_.depthRatio(celli, jump.f)
-                   *mesh_.gradientVector(celli, jump.f);
-            }
-        }
     }
 }
 
@@ -257,19 +233,6 @@ void Foam::pressureForce::calc
         addStabilisation(s);
     }
     reconstruct(s);
-    weight(s.faceForce, s.f);
-}
-
-
-Foam::tmp<Foam::Field<Foam::vector2D>> Foam::pressureForce::moved
-(
-    const operatorState& s
-) const
-{
-    tmp<Field<vector2D>> tmoved(new Field<vector2D>(mesh_.nCells(), Zero));
-    weight(s.faceForce, tmoved.ref());
-
-    return tmoved;
 }
 
 
@@ -321,7 +284,6 @@ Foam::scalar Foam::pressureForce::onWall
 (
     const operatorState& s,
     const label slot,
-    const Field<vector2D>& moved,
     const bool driven
 ) const
 {
@@ -332,7 +294,6 @@ Foam::scalar Foam::pressureForce::onWall
 
     // onBoundary takes no load from the cell to the face, by which p rises
     // there in a fluid at rest
-    vector2D force(fixed ? vector2D(Zero) : moved[P]);
     scalar p = onBoundary(s, slot);
     if (driven)
     {
@@ -341,10 +302,11 @@ Foam::scalar Foam::pressureForce::onWall
         {
             load += loads_.force()->primitiveField()[P];
         }
-        force += mesh_.frame().inPlane(load);
-        p += loads_.rhoGh()[P];
+        p +=
+            loads_.rhoGh()[P]
+          + (mesh_.frame().inPlane(load) & (face.m/face.dc));
     }
-    return p + (force & (face.m/face.dc));
+    return p;
 }
 
 

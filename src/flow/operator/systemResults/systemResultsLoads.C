@@ -37,9 +37,6 @@ void Foam::systemResults::wallLoads
     const fvPatch& patch = mesh_.mesh().boundary()[patchi];
     const vectorField n(patch.nf());
 
-    // No force between cell and wall
-    const Field<vector2D> moved(system_.pressure().moved(s_));
-
     pressure.setSize(patch.size());
     viscous.setSize(patch.size());
     couple.setSize(patch.size());
@@ -51,7 +48,7 @@ void Foam::systemResults::wallLoads
         const label P = mesh_[f].own;
 
         pressure[i] =
-            system_.pressure().onWall(s_, slot, moved, true)
+            system_.pressure().onWall(s_, slot, true)
            *mesh_[f].S*n[i];
 
         viscous[i] = -frame.inSpace(system_.viscous().onWall(s_, f, true));

@@ -22,9 +22,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "carriedDensity.H"
-#include "fvcGrad.H"
+#include "fvcAverage.H"
 #include "gaussGrad.H"
-#include "surfaceFields.H"
+#include "surfaceInterpolate.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -108,15 +108,18 @@ Foam::tmp<Foam::volScalarField> Foam::carriedDensity::given() const
         }
     );
 
+    // Not of the viscosities, which are those of the centres: of an interface
+    // that leans they make stairs
+    const volScalarField& mean = materials_.rho();
+    volScalarField smooth("smooth", mean);
+    smooth = fvc::average(linearInterpolate(mean));
+    smooth.correctBoundaryConditions();
     const volVectorField n
     (
-        fv::gaussGrad<scalar>(mesh).grad
-        (
-            volScalarField("logEta", log(eta/eta.average())), "logEta"
-        )
+        fv::gaussGrad<scalar>(mesh).grad(smooth, "carried")
     );
     const scalarField flowing(materials_.flowingDensity());
-    const scalarField& rho = materials_.rho().primitiveField();
+    const scalarField& rho = mean.primitiveField();
 
     forAll(given, celli)
     {
