@@ -23,9 +23,9 @@ Application
     Test-pointCost
 
 Description
-    What the material points of a case cost beside its flow: wall-clock
-    seconds of seeding, and means over a few steps of moving (with all that
-    belongs to it), averaging and the flow solve. Prints
+    What the material points of a case cost beside its flow: processor time
+    [s] of seeding, and means over a few steps of moving (with all that
+    belongs to it), averaging and the flow solve, of the master. Prints
 
         pointCost: points N seeding S moving M averaging A flow F
         bytes B size Z
@@ -45,7 +45,7 @@ Usage
 #include "creepingFlow.H"
 #include "gravityMeshObject.H"
 #include "materialPointCloud.H"
-#include "clockTime.H"
+#include "cpuTime.H"
 #include "memInfo.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -66,15 +66,15 @@ int main(int argc, char *argv[])
     creepingFlow flow(materials);
     const surfaceScalarField& phi = flow.phi();
 
-    clockTime timer;
+    cpuTime timer;
     const label before = memInfo().rss();
-    timer.timeIncrement();
+    timer.cpuTimeIncrement();
     materialPointCloud points
     (
         materials.names(), flow.U(), phi, flow.omega(),
         [&]() { return flow.gradU(); }
     );
-    const scalar seeding = timer.timeIncrement();
+    const scalar seeding = timer.cpuTimeIncrement();
     const scalar kB =
         returnReduce(scalar(memInfo().rss() - before), sumOp<scalar>());
     const label nPoints = points.nPoints();
@@ -94,14 +94,14 @@ int main(int argc, char *argv[])
         runTime.setDeltaT(2*maxCo/gMax(outflow), false);
         ++runTime;
 
-        timer.timeIncrement();
+        timer.cpuTimeIncrement();
         points.move(runTime.deltaTValue());
-        moving += timer.timeIncrement()/nSteps;
+        moving += timer.cpuTimeIncrement()/nSteps;
         points.average(materials.fractions());
-        averaging += timer.timeIncrement()/nSteps;
+        averaging += timer.cpuTimeIncrement()/nSteps;
         materials.correct();
         flow.solve();
-        solving += timer.timeIncrement()/nSteps;
+        solving += timer.cpuTimeIncrement()/nSteps;
     }
 
     Info<< "pointCost: points " << nPoints << " seeding " << seeding

@@ -319,7 +319,7 @@ Foam::tmp<Foam::scalarField> Foam::materialPointCloud::courant
 }
 
 
-Foam::materialPoint::trackingData Foam::materialPointCloud::track
+Foam::pointTracking Foam::materialPointCloud::track
 (
     const scalar dt
 )
@@ -327,9 +327,9 @@ Foam::materialPoint::trackingData Foam::materialPointCloud::track
     velocity_->update();
 
     const openFaces open(coupling_->U(), coupling_->phi());
-    materialPoint::trackingData td
+    pointTracking td
     (
-        *this, *velocity_, *integration_, walk_.get(), open, dt, courant(dt)
+        mesh_, *velocity_, *integration_, walk_.get(), open, dt, courant(dt)
     );
 
     properties_.update(*this, 0.5*dt);
@@ -370,7 +370,7 @@ void Foam::materialPointCloud::predict
 void Foam::materialPointCloud::move(const scalar dt)
 {
     takeFlow(dt);
-    const materialPoint::trackingData td(track(dt));
+    const pointTracking td(track(dt));
 
     label nIn = 0;
     scalar volumeIn = 0;

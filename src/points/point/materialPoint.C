@@ -24,7 +24,6 @@ License
 #include "materialPointCloud.H"
 #include "pointVelocity.H"
 #include "pointIntegration.H"
-#include "planarWalk.H"
 #include "coupledPolyPatch.H"
 #include "wedgePolyPatch.H"
 #include <cmath>
@@ -55,15 +54,15 @@ void Foam::materialPoint::startPart(const scalar begin, const scalar courant)
         lost("the way of its step is more than a million cells");
     }
 
-    begin_ = begin;
-    part_ = partOf(left, courant);
-    stage_ = -1;
-    travelled_ = Zero;
-    sum_ = Zero;
+    const label nTracks = step_->nTracks;
+    *step_ = stepState();
+    step_->nTracks = nTracks;
+    step_->begin = begin;
+    step_->part = partOf(left, courant);
 }
 
 
-void Foam::materialPoint::startStage(const trackingData& td)
+void Foam::materialPoint::startStage(const pointTracking& td)
 {
     const pointIntegration& scheme = td.integration;
     const vector U(td.velocity.value(*this));
@@ -73,13 +72,15 @@ void Foam::materialPoint::startStage(const trackingData& td)
         lost("the velocity is not a number");
     }
 
-    ++stage_;
-    sum_ += scheme.b(stage_)*U;
-    displacement_ =
-        part_*td.dt*(stage_ < scheme.nStages() - 1 ? scheme.a(stage_)*U : sum_)
-      - travelled_;
+    stepState& s = *step_;
+    ++s.stage;
+    s.sum += scheme.b(s.stage)*U;
+    s.displacement =
+        s.part*td.dt
+       *(s.stage < scheme.nStages() - 1 ? scheme.a(s.stage)*U : s.sum)
+      - s.travelled;
 
-    if (!std::isfinite(mag(displacement_)))
+    if (!std::isfinite(mag(s.displacement)))
     {
         lost("the way of its step is not a number");
     }
@@ -112,9 +113,7 @@ Foam::materialPoint::materialPoint
     material_(material),
     dye_(dye),
     volume_(volume)
-{
-    startStep();
-}
+{}
 
 
 Foam::materialPoint::materialPoint
@@ -130,10 +129,20 @@ Foam::materialPoint::materialPoint
     dye_(label(numbers[1])),
     volume_(numbers[2])
 {
-    startStep();
     values_ =
         SubList<scalar>(numbers, numbers.size() - nOwnNumbers, nOwnNumbers);
 }
+
+
+Foam::materialPoint::materialPoint(const materialPoint& other)
+:
+    particle(other),
+    material_(other.material_),
+    dye_(other.dye_),
+    volume_(other.volume_),
+    values_(other.values_),
+    step_(other.step_ ? new stepState(*other.step_) : nullptr)
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -153,31 +162,6 @@ Foam::scalarList Foam::materialPoint::handsOn() const
 }
 
 
-void Foam::materialPoint::startStep()
-{
-    startPart(0, 0);
-    displacement_ = Zero;
-    nTracks_ = 0;
-}
-
-
-void Foam::materialPoint::setPlace
-(
-    const barycentric& y,
-    const label celli,
-    const label facei,
-    const label tetPti
-)
-{
-    // OpenFOAM has no other way to set them but by tracking
-    const_cast<barycentric&>(coordinates()) = y;
-    cell() = celli;
-    tetFace() = facei;
-    tetPt() = tetPti;
-    face() = -1;
-}
-
-
 bool Foam::materialPoint::move
 (
     materialPointCloud& cloud,
@@ -188,15 +172,23 @@ bool Foam::materialPoint::move
     td.switchProcessor = false;
     td.keepParticle = true;
 
-    // Only a whole step: the cloud calls those that have done it again while
-    // others change processor
-    const bool atStart = stepFraction() == 0 && stage_ < 0;
-    if (td.walk && atStart && td.walk->step(*this, td))
+    if (!step_)
     {
-        stepFraction() = 1;
-        return true;
+        // Only a whole step: the cloud calls those that have done it again
+        // while others change processor
+        if (stepFraction() >= 1)
+        {
+            return true;
+        }
+        if (td.steps.step(*this, td))
+        {
+            stepFraction() = 1;
+            return true;
+        }
+        step_.reset(new stepState);
     }
 
+    stepState& s = *step_;
     const label n = td.integration.nStages();
 
     // A point crosses few faces in a step; many mean that it cannot move on
@@ -204,12 +196,12 @@ bool Foam::materialPoint::move
 
     while (td.keepParticle && !td.switchProcessor && stepFraction() < 1)
     {
-        const scalar stageEnd = begin_ + part_*scalar(stage_ + 1)/n;
+        const scalar stageEnd = s.begin + s.part*scalar(s.stage + 1)/n;
 
         // Sums of parts of the step miss its end by rounding
-        if (stage_ < 0 || stepFraction() > stageEnd - 1e-10)
+        if (s.stage < 0 || stepFraction() > stageEnd - 1e-10)
         {
-            if (stage_ == n - 1)
+            if (s.stage == n - 1)
             {
                 if (stageEnd > 1 - 1e-10)
                 {
@@ -218,9 +210,9 @@ bool Foam::materialPoint::move
                 }
                 startPart(stageEnd, td.courant[cell()]);
             }
-            else if (stage_ < 0)
+            else if (s.stage < 0)
             {
-                startPart(begin_, td.courant[cell()]);
+                startPart(s.begin, td.courant[cell()]);
             }
 
             startStage(td);
@@ -228,7 +220,7 @@ bool Foam::materialPoint::move
         }
 
         // Without a way its rounding would be tracked, for ever in a corner
-        if (mag(displacement_) < td.nothing)
+        if (mag(s.displacement) < td.nothing)
         {
             stepFraction() = stageEnd;
             continue;
@@ -236,14 +228,14 @@ bool Foam::materialPoint::move
 
         const scalar before = stepFraction();
         const scalar rest = stageEnd - before;
-        const vector way(displacement_);
+        const vector way(s.displacement);
 
         // Tracking lets the point leave the mid-plane by rounding
-        trackToFace(n*rest/part_*way - deviationFromMeshCentre(), rest);
-        travelled_ += n*(stepFraction() - before)/part_*way;
+        trackToFace(n*rest/s.part*way - deviationFromMeshCentre(), rest);
+        s.travelled += n*(stepFraction() - before)/s.part*way;
         hitFace(way, cloud, td);
 
-        if (++nTracks_ > maxTracks)
+        if (++s.nTracks > maxTracks)
         {
             lost("not at the end of its step after 10000 faces");
         }
@@ -251,7 +243,7 @@ bool Foam::materialPoint::move
 
     if (td.keepParticle && !td.switchProcessor)
     {
-        startStep();
+        step_.reset();
     }
 
     return td.keepParticle;
@@ -284,8 +276,8 @@ bool Foam::materialPoint::hitPatch(materialPointCloud&, trackingData& td)
             const vector& e = refCast<const wedgePolyPatch>(pp).centreNormal();
             n = normalised(n - (n & e)*e);
         }
-        displacement_ -=
-            (max(displacement_ & n, scalar(0)) + 1e-12*mag(displacement_))*n;
+        vector& way = step_->displacement;
+        way -= (max(way & n, scalar(0)) + 1e-12*mag(way))*n;
     }
 
     return true;
@@ -305,9 +297,13 @@ void Foam::materialPoint::hitProcessorPatch
 void Foam::materialPoint::transformProperties(const tensor& T)
 {
     particle::transformProperties(T);
-    displacement_ = transform(T, displacement_);
-    travelled_ = transform(T, travelled_);
-    sum_ = transform(T, sum_);
+    if (step_)
+    {
+        for (vector* v : {&step_->displacement, &step_->travelled, &step_->sum})
+        {
+            *v = transform(T, *v);
+        }
+    }
 
     if (values_.size())
     {

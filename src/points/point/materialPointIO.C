@@ -26,16 +26,6 @@ License
 #include "IOField.H"
 #include "openfoamVersion.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-std::size_t Foam::materialPoint::sizeofFields() const
-{
-    return
-        reinterpret_cast<const char*>(&values_)
-      - reinterpret_cast<const char*>(&material_);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::materialPoint::materialPoint
@@ -51,20 +41,18 @@ Foam::materialPoint::materialPoint
     dye_(0),
     volume_(0)
 {
-    startStep();
-
     if (readFields)
     {
-        if (is.format() == IOstream::ASCII)
-        {
-            is  >> material_ >> dye_ >> volume_ >> stage_ >> nTracks_
-                >> part_ >> begin_ >> displacement_ >> travelled_ >> sum_;
-        }
-        else
-        {
-            is.read(reinterpret_cast<char*>(&material_), sizeofFields());
-        }
+        is  >> material_ >> dye_ >> volume_;
         values_ = scalarList(is);
+
+        if (readBool(is))
+        {
+            step_.reset(new stepState);
+            stepState& s = *step_;
+            is  >> s.stage >> s.nTracks >> s.part >> s.begin
+                >> s.displacement >> s.travelled >> s.sum;
+        }
     }
 
     is.check(FUNCTION_NAME);
@@ -162,31 +150,24 @@ void Foam::materialPoint::writeObjects
 
 Foam::Ostream& Foam::operator<<(Ostream& os, const materialPoint& p)
 {
-    os << static_cast<const particle&>(p);
+    os  << static_cast<const particle&>(p)
+        << token::SPACE << p.material_
+        << token::SPACE << p.dye_
+        << token::SPACE << p.volume_
+        << token::SPACE << p.values_.list()
+        << token::SPACE << bool(p.step_);
 
-    if (os.format() == IOstream::ASCII)
+    if (p.step_)
     {
-        os  << token::SPACE << p.material_
-            << token::SPACE << p.dye_
-            << token::SPACE << p.volume_
-            << token::SPACE << p.stage_
-            << token::SPACE << p.nTracks_
-            << token::SPACE << p.part_
-            << token::SPACE << p.begin_
-            << token::SPACE << p.displacement_
-            << token::SPACE << p.travelled_
-            << token::SPACE << p.sum_
-            << token::SPACE;
+        const materialPoint::stepState& s = *p.step_;
+        os  << token::SPACE << s.stage
+            << token::SPACE << s.nTracks
+            << token::SPACE << s.part
+            << token::SPACE << s.begin
+            << token::SPACE << s.displacement
+            << token::SPACE << s.travelled
+            << token::SPACE << s.sum;
     }
-    else
-    {
-        os.write
-        (
-            reinterpret_cast<const char*>(&p.material_),
-            p.sizeofFields()
-        );
-    }
-    os  << p.values_.list();
 
     os.check(FUNCTION_NAME);
     return os;

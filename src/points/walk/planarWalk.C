@@ -84,109 +84,6 @@ Foam::label Foam::planarWalk::exitEdge
 }
 
 
-bool Foam::planarWalk::walk
-(
-    label& celli,
-    const vector2D& from,
-    const vector2D& to
-) const
-{
-    for (label n = 0; n < mostEdges; ++n)
-    {
-        const vector2D& c = centres_[celli];
-        const vector2D d(to - c);
-
-        bool inside = true, atWall = false;
-        for (label i = start_[celli]; i < start_[celli + 1]; ++i)
-        {
-            const edgeOfCell& e = edges_[i];
-            const scalar a = e.a & d;
-            const scalar b = e.b & d;
-            if (e.beyond < 0)
-            {
-                atWall = atWall || a + b > 1 - touching;
-            }
-            else if (a + b > 1)
-            {
-                inside = false;
-                break;
-            }
-        }
-        if (inside)
-        {
-            return !atWall;
-        }
-
-        const label i = exitEdge(celli, from, to);
-        if (i < 0 || edges_[i].beyond < 0)
-        {
-            return false;
-        }
-        celli = edges_[i].beyond;
-    }
-
-    return false;
-}
-
-
-void Foam::planarWalk::put
-(
-    materialPoint& p,
-    const label celli,
-    const vector2D& at
-) const
-{
-    const vector2D& c = centres_[celli];
-    const vector2D d(at - c);
-
-    // The triangle that holds it, or the nearest by rounding
-    label in = start_[celli];
-    scalar best = -GREAT, lA = 0, lB = 0;
-    for (label i = start_[celli]; i < start_[celli + 1]; ++i)
-    {
-        const edgeOfCell& e = edges_[i];
-        const scalar a = e.a & d;
-        const scalar b = e.b & d;
-        if (min(a, b) > best)
-        {
-            best = min(a, b);
-            in = i;
-            lA = a;
-            lB = b;
-        }
-    }
-    lA = max(lA, scalar(0));
-    lB = max(lB, scalar(0));
-
-    const edgeOfCell& e = edges_[in];
-    FixedList<scalar, 3> l;
-    label end = 0;
-    if (e.lean < 0)
-    {
-        l[e.ends[0].same] = 0;
-        l[e.ends[0].opposite] = lA;
-        l[e.ends[0].farther] = lB;
-    }
-    else
-    {
-        end = e.lean < VGREAT && lA >= e.lean*lB ? 0 : 1;
-        const scalar nearer = end ? lB : lA, farther = end ? lA : lB;
-        const scalar lean = farther*(end ? 1/e.lean : e.lean);
-
-        l[e.ends[end].same] = 0.5*(nearer - lean);
-        l[e.ends[end].opposite] = 0.5*(nearer + lean);
-        l[e.ends[end].farther] = farther;
-    }
-    const half& h = e.ends[end];
-
-    p.setPlace
-    (
-        barycentric(1 - lA - lB, l[0], l[1], l[2]),
-        celli, edges_[in].face, h.tetPt
-    );
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::planarWalk::planarWalk(const polyMesh& mesh)
@@ -248,18 +145,167 @@ Foam::planarWalk::planarWalk(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::vector2D Foam::planarWalk::place(const materialPoint& p) const
+{
+    const barycentric& y = p.coordinates();
+    const label celli = p.cell();
+
+    for (label i = start_[celli]; i < start_[celli + 1]; ++i)
+    {
+        const edgeOfCell& e = edges_[i];
+        if (e.face != p.tetFace() || e.lean < 0)
+        {
+            continue;
+        }
+        // Ends on the axis have none
+        const bool first = e.lean < VGREAT && e.ends[0].tetPt == p.tetPt();
+        if (!first && (e.lean == 0 || e.ends[1].tetPt != p.tetPt()))
+        {
+            break;
+        }
+        const half& h = e.ends[first ? 0 : 1];
+
+        // As position() has it, to the last bit: points may be seeded on the
+        // edges of what velocities are linear in
+        const pointField& points = mesh_.points();
+        const vector2D a(frame_.inPlane(points[e.corners[0]]));
+        const vector2D b(frame_.inPlane(points[e.corners[1]]));
+        FixedList<vector2D, 3> at(first ? a : b);
+        at[h.farther] = first ? b : a;
+
+        return
+            y[0]*centres_[celli] + y[1]*at[0] + y[2]*at[1] + y[3]*at[2];
+    }
+
+    return frame_.inPlane(p.position());
+}
+
+
+bool Foam::planarWalk::walk
+(
+    label& celli,
+    const vector2D& from,
+    const vector2D& to
+) const
+{
+    for (label n = 0; n < mostEdges; ++n)
+    {
+        const vector2D& c = centres_[celli];
+        const vector2D d(to - c);
+
+        bool inside = true, atWall = false;
+        for (label i = start_[celli]; i < start_[celli + 1]; ++i)
+        {
+            const edgeOfCell& e = edges_[i];
+            const scalar a = e.a & d;
+            const scalar b = e.b & d;
+            if (e.beyond < 0)
+            {
+                atWall = atWall || a + b > 1 - touching;
+            }
+            else if (a + b > 1)
+            {
+                inside = false;
+                break;
+            }
+        }
+        if (inside)
+        {
+            return !atWall;
+        }
+
+        const label i = exitEdge(celli, from, to);
+        if (i < 0 || edges_[i].beyond < 0)
+        {
+            return false;
+        }
+        celli = edges_[i].beyond;
+    }
+
+    return false;
+}
+
+
+Foam::planarWalk::placeInTet Foam::planarWalk::find
+(
+    const label celli,
+    const vector2D& at
+) const
+{
+    const vector2D& c = centres_[celli];
+    const vector2D d(at - c);
+
+    // The triangle that holds it, or the nearest by rounding
+    label in = start_[celli];
+    scalar best = -GREAT, lA = 0, lB = 0;
+    for (label i = start_[celli]; i < start_[celli + 1]; ++i)
+    {
+        const edgeOfCell& e = edges_[i];
+        const scalar a = e.a & d;
+        const scalar b = e.b & d;
+        if (min(a, b) > best)
+        {
+            best = min(a, b);
+            in = i;
+            lA = a;
+            lB = b;
+        }
+    }
+    lA = max(lA, scalar(0));
+    lB = max(lB, scalar(0));
+
+    const edgeOfCell& e = edges_[in];
+    FixedList<scalar, 3> l;
+    label end = 0;
+    if (e.lean < 0)
+    {
+        l[e.ends[0].same] = 0;
+        l[e.ends[0].opposite] = lA;
+        l[e.ends[0].farther] = lB;
+    }
+    else
+    {
+        end = e.lean < VGREAT && lA >= e.lean*lB ? 0 : 1;
+        const scalar nearer = end ? lB : lA, farther = end ? lA : lB;
+        const scalar lean = farther*(end ? 1/e.lean : e.lean);
+
+        l[e.ends[end].same] = 0.5*(nearer - lean);
+        l[e.ends[end].opposite] = 0.5*(nearer + lean);
+        l[e.ends[end].farther] = farther;
+    }
+
+    return placeInTet
+    {
+        barycentric(1 - lA - lB, l[0], l[1], l[2]),
+        e.face,
+        e.ends[end].tetPt
+    };
+}
+
+
+void Foam::planarWalk::put
+(
+    materialPoint& p,
+    const label celli,
+    const vector2D& at
+) const
+{
+    const placeInTet t(find(celli, at));
+    p.setPlace(t.y, celli, t.face, t.tetPt);
+}
+
+
 bool Foam::planarWalk::step
 (
     materialPoint& p,
-    const materialPoint::trackingData& td
+    const pointTracking& td
 ) const
 {
     const pointIntegration& scheme = td.integration;
     const label n = scheme.nStages();
 
-    const point start(p.position());
-    point x(start);
-    x[frame_.normalAxis()] = middle_[frame_.normalAxis()];
+    const vector2D start(place(p));
+    vector2D x(start);
     label celli = p.cell();
 
     scalar begin = 0;
@@ -271,24 +317,23 @@ bool Foam::planarWalk::step
         }
         const scalar part = materialPoint::partOf(1 - begin, td.courant[celli]);
 
-        const point origin(x);
-        vector sum(Zero);
+        const vector2D origin(x);
+        vector2D U, sum(Zero);
         for (label stage = 0; stage < n; ++stage)
         {
-            const vector U(td.velocity.value(x, celli));
+            UList<vector2D> one(&U, 1);
+            td.velocity.inPlane
+            (
+                *this, UList<vector2D>(&x, 1), labelUList(&celli, 1), one
+            );
             sum += scheme.b(stage)*U;
 
-            const vector way
+            const vector2D way
             (
                 part*td.dt*(stage < n - 1 ? scheme.a(stage)*U : sum)
             );
-            if (!std::isfinite(mag(way)))
-            {
-                return false;
-            }
-
-            const point next(origin + frame_.inSpace(frame_.inPlane(way)));
-            if (!walk(celli, frame_.inPlane(x), frame_.inPlane(next)))
+            const vector2D next(origin + way);
+            if (!isFinite(way) || !walk(celli, x, next))
             {
                 return false;
             }
@@ -298,9 +343,9 @@ bool Foam::planarWalk::step
     }
 
     // Resting points keep their bits
-    if (magSqr(frame_.inPlane(x) - frame_.inPlane(start)) > sqr(td.nothing))
+    if (magSqr(x - start) > sqr(td.nothing))
     {
-        put(p, celli, frame_.inPlane(x));
+        put(p, celli, x);
     }
 
     return true;

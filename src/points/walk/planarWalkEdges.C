@@ -147,6 +147,7 @@ bool Foam::planarWalk::setAxisEdge
         e.face = facei;
         e.beyond = -1;
         e.lean = -1;
+        e.corners[0] = e.corners[1] = -1;
         const vector2D first(frame_.inPlane(points[tri[on[0]]]));
         vector2D from(first), to(frame_.inPlane(points[tri[on[1]]]));
         if (!setSlopes(celli, from, to, e))
@@ -183,6 +184,7 @@ bool Foam::planarWalk::setEdge
     // on the axis
     DynamicList<vector2D> ends(2);
     DynamicList<scalar> depths(2);
+    DynamicList<label> corners(2);
     scalar sum = 0;
     for (const label pointi : f)
     {
@@ -192,6 +194,7 @@ bool Foam::planarWalk::setEdge
         {
             ends.append(frame_.inPlane(points[pointi]));
             depths.append(depth > near ? depth : 0);
+            corners.append(pointi);
         }
     }
     if (ends.size() != 2 || f.size() > 4 || mag(sum) > near)
@@ -207,10 +210,13 @@ bool Foam::planarWalk::setEdge
     if (from != ends[0])
     {
         Swap(depths[0], depths[1]);
+        Swap(corners[0], corners[1]);
     }
 
     e.lean = depths[0] > 0 ? depths[1]/depths[0] : VGREAT;
     e.face = facei;
+    e.corners[0] = corners[0];
+    e.corners[1] = corners[1];
     e.beyond = -1;
     if (mesh_.isInternalFace(facei))
     {

@@ -23,8 +23,6 @@ License
 
 #include "faceFlux.H"
 #include "planarCells.H"
-#include "oneLayer.H"
-#include "meshTools.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -40,134 +38,6 @@ namespace pointVelocities
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::pointVelocities::faceFlux::setCorners
-(
-    const label celli,
-    const pointField& corners
-)
-{
-    const label n = corners.size();
-    const label start = start_[celli];
-
-    scalar area = 0;
-    for (label i = 2; i < n; ++i)
-    {
-        area += frame_.cross
-        (
-            corners[i - 1] - corners[0], corners[i] - corners[0]
-        );
-    }
-    const bool clockwise = area < 0;
-
-    auto corner = [&](const label i)
-    {
-        return corners[clockwise ? n - 1 - i % n : i % n];
-    };
-    label first = 0;
-    for (label i = 0; i < n; ++i)
-    {
-        if (onAxis(corner(i)) && onAxis(corner(i + 1)))
-        {
-            first = i + 1;
-        }
-    }
-
-    for (label i = 0; i < n; ++i)
-    {
-        corners_[start + i] = corner(first + i);
-    }
-}
-
-
-void Foam::pointVelocities::faceFlux::setFaces(const label celli)
-{
-    const polyMesh& mesh = phi_.mesh();
-    const label start = start_[celli];
-    const label n = start_[celli + 1] - start;
-
-    for (label i = 0; i < n; ++i)
-    {
-        const point& from = corners_[start + i];
-        const point middle(from + 0.5*edge(celli, i));
-        faces_[start + i] = -1;
-        sign_[start + i] = 0;
-        if (onAxis(from) && onAxis(middle))
-        {
-            continue;
-        }
-
-        scalar nearest = GREAT;
-
-        for (const label facei : mesh.cells()[celli])
-        {
-            const label patchi =
-                mesh.isInternalFace(facei)
-              ? -1
-              : mesh.boundaryMesh().whichPatch(facei);
-
-            if
-            (
-                patchi >= 0
-             && oneLayer::isPlane(mesh.boundaryMesh()[patchi])
-            )
-            {
-                continue;
-            }
-
-            const vector d(mesh.faceCentres()[facei] - middle);
-            const scalar distance = magSqr(frame_.inPlane(d));
-            if (distance < nearest)
-            {
-                nearest = distance;
-                faces_[start + i] = facei;
-                sign_[start + i] =
-                    mesh.faceOwner()[facei] == celli ? 1 : -1;
-            }
-        }
-    }
-}
-
-
-void Foam::pointVelocities::faceFlux::makeFan(const label celli)
-{
-    const label start = start_[celli];
-    const label n = start_[celli + 1] - start;
-    const SubList<point> corners(corners_, n, start);
-
-    if (n == 3 || (n == 4 && planarCells::turns(corners).size() == 4))
-    {
-        return;
-    }
-    if (faces_[start + n - 1] < 0)
-    {
-        FatalErrorInFunction
-            << "Cell " << celli << " has an edge on the axis and the corners "
-            << corners << nl
-            << "    Allowed: triangles and convex quadrilaterals along the"
-            << " axis, or here velocity cellPoint, cell, cellPointFace, ... in"
-            << " materialPointsProperties" << exit(FatalError);
-    }
-
-    point centre(phi_.mesh().cellCentres()[celli]);
-    meshTools::constrainToMeshCentre(phi_.mesh(), centre);
-
-    fan_[celli] = fans_.size();
-    fanCells_.append(celli);
-    fans_.append(new fluxFan(frame_, centre, corners));
-
-    // Below this its numbers would be rounding
-    if (fans_[fan_[celli]].flatness() < 1e-6)
-    {
-        FatalErrorInFunction
-            << "Cell " << celli << " at " << centre << " has the corners "
-            << corners << ", and its centre does not see all edges" << nl
-            << "    Allowed: convex cells, also with hanging nodes, or here"
-            << " velocity cellPoint, cell, cellPointFace, ... in"
-            << " materialPointsProperties" << exit(FatalError);
-    }
-}
-
 
 Foam::vector Foam::pointVelocities::faceFlux::inTriangle
 (
@@ -209,34 +79,28 @@ Foam::vector Foam::pointVelocities::faceFlux::inQuadrilateral
     // In the plane, from the first corner: the sides to its neighbours and
     // what the fourth is off a parallelogram
     const label s = start_[celli];
-    const point& o = corners_[s];
-    const direction i0 = frame_.i0(), i1 = frame_.i1();
-    const scalar a0 = corners_[s + 1][i0] - o[i0];
-    const scalar a1 = corners_[s + 1][i1] - o[i1];
-    const scalar b0 = corners_[s + 3][i0] - o[i0];
-    const scalar b1 = corners_[s + 3][i1] - o[i1];
-    const scalar c0 = corners_[s + 2][i0] - corners_[s + 1][i0] - b0;
-    const scalar c1 = corners_[s + 2][i1] - corners_[s + 1][i1] - b1;
-    const scalar d0 = p[i0] - o[i0];
-    const scalar d1 = p[i1] - o[i1];
-    const bool affine =
-        mag(c0) + mag(c1) < 1e-14*(mag(a0) + mag(a1) + mag(b0) + mag(b1));
+    const vector2D o(frame_.inPlane(corners_[s]));
+    const vector2D a(frame_.inPlane(corners_[s + 1]) - o);
+    const vector2D b(frame_.inPlane(corners_[s + 3]) - o);
+    const vector2D c
+    (
+        frame_.inPlane(corners_[s + 2] - corners_[s + 1]) - b
+    );
+    const vector2D d(frame_.inPlane(p) - o);
+    const bool affine = fluxBox::is(a, b, c);
 
     // Newton's method for xi, eta; one step for a parallelogram
     scalar xi = 0.5, eta = 0.5, J = 1;
-    scalar xXi0 = a0, xXi1 = a1, xEta0 = b0, xEta1 = b1;
+    vector2D xXi(a), xEta(b);
     for (label i = 0; i < 10; ++i)
     {
-        xXi0 = a0 + eta*c0;
-        xXi1 = a1 + eta*c1;
-        xEta0 = b0 + xi*c0;
-        xEta1 = b1 + xi*c1;
-        J = xXi0*xEta1 - xXi1*xEta0;
+        xXi = a + eta*c;
+        xEta = b + xi*c;
+        J = xXi.x()*xEta.y() - xXi.y()*xEta.x();
 
-        const scalar r0 = d0 - xi*a0 - eta*b0 - xi*eta*c0;
-        const scalar r1 = d1 - xi*a1 - eta*b1 - xi*eta*c1;
-        const scalar dXi = (r0*xEta1 - r1*xEta0)/J;
-        const scalar dEta = (xXi0*r1 - xXi1*r0)/J;
+        const vector2D r(d - xi*a - eta*b - xi*eta*c);
+        const scalar dXi = (r.x()*xEta.y() - r.y()*xEta.x())/J;
+        const scalar dEta = (xXi.x()*r.y() - xXi.y()*r.x())/J;
         xi += dXi;
         eta += dEta;
 
@@ -246,50 +110,34 @@ Foam::vector Foam::pointVelocities::faceFlux::inQuadrilateral
         }
     }
 
-    const Pair<scalar> f(through(s, xi, eta));
+    const vector2D f(through(s, xi, eta));
 
-    return frame_.inSpace
-    (
-        (f.first()*xXi0 + f.second()*xEta0)/J,
-        (f.first()*xXi1 + f.second()*xEta1)/J
-    );
+    return frame_.inSpace((f.x()*xXi + f.y()*xEta)/J);
 }
 
 
-Foam::Pair<Foam::scalar> Foam::pointVelocities::faceFlux::through
+Foam::vector2D Foam::pointVelocities::faceFlux::through
 (
     const label s,
     const scalar xi,
     const scalar eta
 ) const
 {
-    const scalar x = xi - 0.5, y = eta - 0.5;
-
-    // Towards the axis r U along it goes with r and r U across it with r^2
-    if (faces_[s + 3] < 0)
+    if (faces_[s + 3] >= 0)
     {
-        return Pair<scalar>
-        (
-            (flux_[s + 1] + slope_[s + 1]*y)*sqr(xi),
-            2*xi
-           *(
-                flux_[s + 2]*eta
-              - flux_[s]*(1 - eta)
-              + 0.5*slope_[s + 1]*eta*(1 - eta)
-            )
-        );
+        return fluxBox::through(&flux_[s], &slope_[s], xi, eta);
     }
 
-    // Fluxes change along the edges; what that adds to the divergence is
-    // taken out by terms that vanish on the edges
-    return Pair<scalar>
+    // Towards the axis r U along it goes with r and r U across it with r^2
+    return vector2D
     (
-        (flux_[s + 1] + slope_[s + 1]*y)*xi
-      - (flux_[s + 3] - slope_[s + 3]*y)*(1 - xi)
-      + 0.5*(slope_[s] - slope_[s + 2])*xi*(1 - xi),
-        (flux_[s + 2] - slope_[s + 2]*x)*eta
-      - (flux_[s] + slope_[s]*x)*(1 - eta)
-      + 0.5*(slope_[s + 1] - slope_[s + 3])*eta*(1 - eta)
+        (flux_[s + 1] + slope_[s + 1]*(eta - 0.5))*sqr(xi),
+        2*xi
+       *(
+            flux_[s + 2]*eta
+          - flux_[s]*(1 - eta)
+          + 0.5*slope_[s + 1]*eta*(1 - eta)
+        )
     );
 }
 
@@ -434,11 +282,17 @@ Foam::pointVelocities::faceFlux::faceFlux
     flux_.setSize(n, Zero);
     slope_.setSize(n, Zero);
 
+    if (!axial_.active())
+    {
+        boxes_.setSize(mesh.nCells());
+        box_.setSize(mesh.nCells(), false);
+    }
     forAll(corners, celli)
     {
         setCorners(celli, corners[celli]);
         setFaces(celli);
         makeFan(celli);
+        makeBox(celli);
     }
 }
 
@@ -482,6 +336,30 @@ Foam::vector Foam::pointVelocities::faceFlux::value
     q[axial_.radial()] += r - axial_.radius(p);
 
     return inCell(celli, q)/r;
+}
+
+
+void Foam::pointVelocities::faceFlux::inPlane
+(
+    const planarWalk& walk,
+    const UList<vector2D>& places,
+    const labelUList& cells,
+    UList<vector2D>& U
+) const
+{
+    forAll(places, i)
+    {
+        const label celli = cells[i];
+        if (box_.size() && box_[celli])
+        {
+            const label s = start_[celli];
+            U[i] = boxes_[celli].value(places[i], &flux_[s], &slope_[s]);
+        }
+        else
+        {
+            U[i] = frame_.inPlane(value(frame_.inSpace(places[i]), celli));
+        }
+    }
 }
 
 

@@ -23,6 +23,7 @@ License
 
 #include "fieldInterpolation.H"
 #include "meshTools.H"
+#include "planarWalk.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -61,6 +62,29 @@ Foam::vector Foam::pointVelocities::fieldInterpolation::value
     meshTools::constrainDirection(U_.mesh(), U_.mesh().geometricD(), U);
 
     return U;
+}
+
+
+void Foam::pointVelocities::fieldInterpolation::inPlane
+(
+    const planarWalk& walk,
+    const UList<vector2D>& places,
+    const labelUList& cells,
+    UList<vector2D>& U
+) const
+{
+    forAll(places, i)
+    {
+        const planarWalk::placeInTet at(walk.find(cells[i], places[i]));
+
+        U[i] = walk.frame().inPlane
+        (
+            interpolation_->interpolate
+            (
+                at.y, tetIndices(cells[i], at.face, at.tetPt)
+            )
+        );
+    }
 }
 
 
