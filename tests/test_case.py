@@ -7,6 +7,7 @@ from time import sleep
 import pytest
 
 from cosserat.case import Case, RunError
+from cosserat.scenes.box import TWO
 
 DICTIONARY = """a 1;
 sub { b 2; c 3; }
@@ -94,3 +95,10 @@ def test_substitute(case):
     assert entry(case, "a") == "9"
     with pytest.raises(KeyError, match="no entry e"):
         case.substitute("system/controlDict", {"e": 1})
+
+
+def test_a_box_in_place_of_another(box):
+    """Its fields are of its own mesh."""
+    for n in (4, 6):
+        case = box(n=n, materials=TWO, fractions=lambda x, y: (x > 0)*1.0)
+        assert len(case.field("alpha.a")) == n*n

@@ -2,6 +2,7 @@
 tests and studies that no tutorial covers."""
 
 import re
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -116,7 +117,9 @@ class Box:
         write_file(self.case.path/name, text, cls)
 
     def write(self):
-        """Write and mesh the case."""
+        """Write and mesh the case, in place of one that is there."""
+        # Fields of its start would be of another mesh
+        shutil.rmtree(self.case.path/"0", ignore_errors=True)
         self.file("system/controlDict", """
 application         cosseratPicFoam;
 startFrom           startTime;
