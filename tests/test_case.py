@@ -101,4 +101,4 @@ def test_a_box_in_place_of_another(box):
     """Its fields are of its own mesh."""
     for n in (4, 6):
         case = box(n=n, materials=TWO, fractions=lambda x, y: (x > 0)*1.0)
-        assert len(case.field("alpha.a")) == n*n
+        assert len(case.field("alpha.a", "0")) == n*n
