@@ -52,7 +52,7 @@ def study():
         width = [row[key] for row in rows]
         axes.barh(labels, width, left=left, label=key)
         left = [a + b for a, b in zip(left, width)]
-    axes.set_xlabel("seconds a step (seeding: once)")
+    axes.set_xlabel("seconds per step (seeding: once)")
     axes.legend(fontsize=8)
     axes.grid(axis="x", alpha=0.3)
     save(figure, "pointCost")

@@ -95,7 +95,7 @@ def prepare(path, name, contrast, cells, mean=None, points=0, **entries):
     points = scene.points if points == 0 else points
     shutil.rmtree(path, ignore_errors=True)
     # Rounding of the stiff body's stresses keeps the rest from less
-    tolerance = max(1e-8, 1e-14*contrast)
+    tolerance = max(1e-8, 1e-14*contrast*max(1, (cells/64)**2))
     entries = {"tolerance": tolerance, "average": mean, **entries}
     case = scene.box(path, contrast, cells, **entries).write()
     if points:
