@@ -53,7 +53,8 @@ def study():
         axes.barh(labels, width, left=left, label=key)
         left = [a + b for a, b in zip(left, width)]
     axes.set_xlabel("seconds per step (seeding: once)")
-    axes.legend(fontsize=8)
+    axes.legend(fontsize=8, ncol=len(KEYS), loc="lower center",
+                bbox_to_anchor=(0.5, 1))
     axes.grid(axis="x", alpha=0.3)
     save(figure, "pointCost")
     plt.close(figure)
