@@ -22,9 +22,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "carriedDensity.H"
-#include "fvcAverage.H"
-#include "gaussGrad.H"
-#include "surfaceInterpolate.H"
+#include "smoothGradient.H"
+#include "surfaceFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -111,13 +110,7 @@ Foam::tmp<Foam::volScalarField> Foam::carriedDensity::given() const
     // Not of the viscosities, which are those of the centres: of an interface
     // that leans they make stairs
     const volScalarField& mean = materials_.rho();
-    volScalarField smooth("smooth", mean);
-    smooth = fvc::average(linearInterpolate(mean));
-    smooth.correctBoundaryConditions();
-    const volVectorField n
-    (
-        fv::gaussGrad<scalar>(mesh).grad(smooth, "carried")
-    );
+    const volVectorField n(smoothGradient(mean));
     const scalarField flowing(materials_.flowingDensity());
     const scalarField& rho = mean.primitiveField();
 

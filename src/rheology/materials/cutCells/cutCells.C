@@ -23,9 +23,8 @@ License
 
 #include "cutCells.H"
 #include "wallFvPatch.H"
-#include "fvcAverage.H"
-#include "gaussGrad.H"
-#include "surfaceInterpolate.H"
+#include "smoothGradient.H"
+#include "surfaceFields.H"
 #include "oneLayer.H"
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
@@ -212,13 +211,7 @@ Foam::scalar Foam::cutCells::distance
 void Foam::cutCells::setPlanes(const label m, const volScalarField& alpha)
 {
     const fvMesh& mesh = alpha.mesh();
-    volScalarField smooth("smooth", alpha);
-    smooth = fvc::average(linearInterpolate(alpha));
-    smooth.correctBoundaryConditions();
-    const volVectorField gradient
-    (
-        fv::gaussGrad<scalar>(mesh).grad(smooth, "cut")
-    );
+    const volVectorField gradient(smoothGradient(alpha));
 
     forAll(row_, celli)
     {
