@@ -25,11 +25,15 @@ License
 #include "planarWalk.H"
 #include "pointVelocity.H"
 #include "pointIntegration.H"
+#include <cmath>
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
 //- Points of a batch: few enough that they and their cells stay in the cache
 static const Foam::label mostPoints = 256;
+
+//- Parts of the rest of a step; more are for OpenFOAM to track
+static const Foam::label mostParts = 1000;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -74,33 +78,113 @@ void Foam::planarSteps::take
 }
 
 
-void Foam::planarSteps::walk
+bool Foam::planarSteps::walk
 (
     const label stage,
-    const pointTracking& td
-)
+    const scalar dt,
+    const pointTracking& td,
+    const vector2D& start,
+    const vector2D& U,
+    vector2D& sum,
+    label& celli,
+    vector2D& at
+) const
 {
     const pointIntegration& scheme = td.integration;
     const bool last = stage == scheme.nStages() - 1;
-    const scalar a = last ? 0 : scheme.a(stage), b = scheme.b(stage);
 
-    td.velocity.inPlane(*walk_, at_, cells_, U_);
+    sum += scheme.b(stage)*U;
+    const vector2D way(dt*(last ? sum : scheme.a(stage)*U));
+    const vector2D next(start + way);
 
+    const bool done =
+        planarWalk::isFinite(way) && walk_->walk(celli, at, next);
+    at = next;
+
+    return done;
+}
+
+
+void Foam::planarSteps::stepAll(const pointTracking& td)
+{
+    for (label stage = 0; stage < td.integration.nStages(); ++stage)
+    {
+        td.velocity.inPlane(*walk_, at_, cells_, U_);
+        forAll(points_, i)
+        {
+            done_[i] =
+                done_[i]
+             && walk
+                (
+                    stage, td.dt, td,
+                    start_[i], U_[i], sum_[i], cells_[i], at_[i]
+                );
+        }
+    }
     forAll(points_, i)
     {
-        if (!done_[i])
+        if (done_[i])
         {
-            continue;
+            put(*points_[i], start_[i], cells_[i], at_[i], td);
         }
+    }
+}
 
-        sum_[i] += b*U_[i];
-        const vector2D way(td.dt*(last ? sum_[i] : a*U_[i]));
-        const vector2D next(start_[i] + way);
 
-        done_[i] =
-            planarWalk::isFinite(way)
-         && walk_->walk(cells_[i], at_[i], next);
-        at_[i] = next;
+bool Foam::planarSteps::inParts
+(
+    materialPoint& p,
+    const pointTracking& td
+) const
+{
+    const vector2D start(walk_->place(p));
+    vector2D at(start);
+    label celli = p.cell();
+
+    scalar begin = 0;
+    while (begin < 1 - 1e-10)
+    {
+        if (!(std::ceil((1 - begin)*td.courant[celli]) < mostParts))
+        {
+            return false;
+        }
+        const scalar part = materialPoint::partOf(1 - begin, td.courant[celli]);
+
+        const vector2D origin(at);
+        vector2D U, sum(Zero);
+        for (label stage = 0; stage < td.integration.nStages(); ++stage)
+        {
+            UList<vector2D> one(&U, 1);
+            td.velocity.inPlane
+            (
+                *walk_, UList<vector2D>(&at, 1), labelUList(&celli, 1), one
+            );
+            if (!walk(stage, part*td.dt, td, origin, U, sum, celli, at))
+            {
+                return false;
+            }
+        }
+        begin += part;
+    }
+    put(p, start, celli, at, td);
+
+    return true;
+}
+
+
+void Foam::planarSteps::put
+(
+    materialPoint& p,
+    const vector2D& start,
+    const label celli,
+    const vector2D& at,
+    const pointTracking& td
+) const
+{
+    // Resting points keep their bits
+    if (magSqr(at - start) > sqr(td.nothing))
+    {
+        walk_->put(p, celli, at);
     }
 }
 
@@ -121,23 +205,12 @@ bool Foam::planarSteps::step
     if (next_ >= points_.size() || points_[next_] != &p)
     {
         take(p, td);
-        for (label stage = 0; stage < td.integration.nStages(); ++stage)
-        {
-            walk(stage, td);
-        }
-        forAll(points_, i)
-        {
-            // Resting points keep their bits
-            if (done_[i] && magSqr(at_[i] - start_[i]) > sqr(td.nothing))
-            {
-                walk_->put(*points_[i], cells_[i], at_[i]);
-            }
-        }
+        stepAll(td);
     }
 
     const label i = next_++;
 
-    return done_[i] || (td.courant[p.cell()] > 1 && walk_->step(p, td));
+    return done_[i] || (td.courant[p.cell()] > 1 && inParts(p, td));
 }
 
 

@@ -23,8 +23,6 @@ License
 
 #include "planarWalk.H"
 #include "axialSymmetry.H"
-#include "pointVelocity.H"
-#include "pointIntegration.H"
 #include "oneLayer.H"
 #include "meshTools.H"
 #include <cmath>
@@ -292,63 +290,6 @@ void Foam::planarWalk::put
 {
     const placeInTet t(find(celli, at));
     p.setPlace(t.y, celli, t.face, t.tetPt);
-}
-
-
-bool Foam::planarWalk::step
-(
-    materialPoint& p,
-    const pointTracking& td
-) const
-{
-    const pointIntegration& scheme = td.integration;
-    const label n = scheme.nStages();
-
-    const vector2D start(place(p));
-    vector2D x(start);
-    label celli = p.cell();
-
-    scalar begin = 0;
-    while (begin < 1 - 1e-10)
-    {
-        if (!(std::ceil((1 - begin)*td.courant[celli]) < mostEdges))
-        {
-            return false;
-        }
-        const scalar part = materialPoint::partOf(1 - begin, td.courant[celli]);
-
-        const vector2D origin(x);
-        vector2D U, sum(Zero);
-        for (label stage = 0; stage < n; ++stage)
-        {
-            UList<vector2D> one(&U, 1);
-            td.velocity.inPlane
-            (
-                *this, UList<vector2D>(&x, 1), labelUList(&celli, 1), one
-            );
-            sum += scheme.b(stage)*U;
-
-            const vector2D way
-            (
-                part*td.dt*(stage < n - 1 ? scheme.a(stage)*U : sum)
-            );
-            const vector2D next(origin + way);
-            if (!isFinite(way) || !walk(celli, x, next))
-            {
-                return false;
-            }
-            x = next;
-        }
-        begin += part;
-    }
-
-    // Resting points keep their bits
-    if (magSqr(x - start) > sqr(td.nothing))
-    {
-        put(p, celli, x);
-    }
-
-    return true;
 }
 
 
