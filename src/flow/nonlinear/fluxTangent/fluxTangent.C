@@ -114,7 +114,7 @@ void Foam::fluxTangent::set(const operatorState& s, const bool near)
     (
         [&](const label f)
         {
-            flux_[f] = mesh[f].S*system_.pressureSpeed(s, f);
+            flux_[f] = mesh[f].S*system_.fluxOfPressure().speed(s, f);
         }
     );
     for (const label f : mesh.oneSided())
@@ -126,7 +126,7 @@ void Foam::fluxTangent::set(const operatorState& s, const bool near)
          && boundary.pressureFixed(i)
         )
         {
-            flux_[f] = mesh[f].S*system_.openSpeed(s, f);
+            flux_[f] = mesh[f].S*system_.fluxOfPressure().openSpeed(s, f);
         }
     }
 }

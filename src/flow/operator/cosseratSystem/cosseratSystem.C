@@ -35,35 +35,7 @@ void Foam::cosseratSystem::setViscosities
 {
     K_.set(eta, etaC, M, materials_.invB().primitiveField(), cuts);
     hoop_.update();
-    setRAU();
-}
-
-
-void Foam::cosseratSystem::setRAU()
-{
-    scalarField diag[2], face;
-    parts_.velocityBlock(0, diag[0], face);
-    parts_.velocityBlock(1, diag[1], face);
-
-    scalarField rAU(mesh_.nSlots());
-    SubList<scalar>(rAU, nCells()) = mesh_.V()/(0.5*diag[0] + 0.5*diag[1]);
-    mesh_.halo().swap(rAU);
-
-    mesh_.forTwoSided
-    (
-        [&](const label f)
-        {
-            const planarFace& face = mesh_[f];
-            const scalar etaP = K_.eta(face.own), etaN = K_.eta(face.nei);
-            rAUf_[f] =
-                (face.w*rAU[face.own] + (1 - face.w)*rAU[face.nei])
-               *4*etaP*etaN/sqr(etaP + etaN);
-        }
-    );
-    for (const label f : mesh_.oneSided())
-    {
-        rAUf_[f] = rAU[mesh_[f].own];
-    }
+    pressureFlux_.update(parts_);
 }
 
 
@@ -186,7 +158,7 @@ Foam::scalar Foam::cosseratSystem::flux
         u += K_.fluxOffset(f) & (wP*s.G[P] + wN*s.G[N]);
     }
 
-    return face.S*((u & face.n) + pressureSpeed(s, f));
+    return face.S*((u & face.n) + pressureFlux_.speed(s, f));
 }
 
 
@@ -241,7 +213,7 @@ void Foam::cosseratSystem::addOneSided
          && boundary_.pressureFixed(i)
         )
         {
-            s.flux[f] += face.S*openSpeed(s, f);
+            s.flux[f] += face.S*pressureFlux_.openSpeed(s, f);
         }
 
         all_.addForce(r, P, viscous_.onWall(s, f, driven));
@@ -323,7 +295,15 @@ void Foam::cosseratSystem::plainResidual
     }
     gradient_.setBoundary(s, driven);
     gradient_.calc(s, driven);
-    mesh_.halo().swap(s.G, s.f);
+    pressureFlux_.calc(s);
+    if (K_.anyJump())
+    {
+        mesh_.halo().swap(s.G, s.f, s.fSmooth);
+    }
+    else
+    {
+        mesh_.halo().swap(s.G, s.f);
+    }
 
     r.setSize(size());
     r = 0;
@@ -362,8 +342,8 @@ Foam::cosseratSystem::cosseratSystem
     pressure_(mesh_, boundary, K_, gradient_, loads_, stabilisation_),
     parts_(mesh_, boundary, K_, hoop_, pressure_, stabilisation_, all_),
     corners_(mesh, frame, halo, boundary, wantCorners),
+    pressureFlux_(mesh_, boundary, K_),
     pressureFloats_(false),
-    rAUf_(mesh_.nFaces(), Zero),
     weights_(all_.size())
 {}
 
@@ -421,35 +401,6 @@ void Foam::cosseratSystem::residual
     {
         corners_.addForce(s.u, driven, r);
     }
-}
-
-
-Foam::scalar Foam::cosseratSystem::pressureSpeed
-(
-    const operatorState& s,
-    const label f
-) const
-{
-    const planarFace& face = mesh_[f];
-    const scalar sP = K_[f].wSoft, sN = 1 - sP;
-
-    return
-        rAUf_[f]
-       *(
-            s.faceForce[f]
-          - ((sP*s.f[face.own] + sN*s.f[face.nei]) & face.m)
-        );
-}
-
-
-Foam::scalar Foam::cosseratSystem::openSpeed
-(
-    const operatorState& s,
-    const label f
-) const
-{
-    const planarFace& face = mesh_[f];
-    return rAUf_[f]*(s.faceForce[f] - (s.f[face.own] & face.m));
 }
 
 

@@ -53,19 +53,10 @@ void Foam::pressureForce::setReconstruction()
         }
     }
 
-    // Inverse, or the pseudo-inverse for a cell with a single face that
-    // counts, of which the determinant is zero but for rounding
+    // A cell may have a single face that counts
     for (tensor2D& T : reconstruction_)
     {
-        const scalar norm = magSqr(T);
-        if (mag(T.xx()*T.yy() - T.xy()*T.yx()) > 1e-6*norm)
-        {
-            T = planarFrame::inverse(T);
-        }
-        else if (norm > 0)
-        {
-            T = T.T()/norm;
-        }
+        T = planarFrame::generalInverse(T);
     }
 }
 
