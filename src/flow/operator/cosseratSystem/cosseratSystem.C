@@ -90,7 +90,8 @@ void Foam::cosseratSystem::setWeights()
         corners_.addDiagonal(cmpt, diag);
         SubList<scalar>(weights_, n, cmpt*n) = 1/sqrt(diag);
     }
-    SubList<scalar>(weights_, n, 2*n) = sqrt(pressureViscosity()/mesh_.V());
+    SubList<scalar>(weights_, n, 2*n) =
+        sqrt(pressureViscosity(materials_.eta().primitiveField())/mesh_.V());
     if (cosserat())
     {
         parts_.rotationBlock(diag, face);
@@ -404,15 +405,12 @@ void Foam::cosseratSystem::residual
 }
 
 
-Foam::tmp<Foam::scalarField> Foam::cosseratSystem::pressureViscosity() const
+Foam::tmp<Foam::scalarField> Foam::cosseratSystem::pressureViscosity
+(
+    const scalarField& eta
+) const
 {
-    const scalarField& invB = materials_.invB().primitiveField();
-    tmp<scalarField> tmu(new scalarField(nCells()));
-    forAll(invB, celli)
-    {
-        tmu.ref()[celli] = 1/(1/K_.eta(celli) + invB[celli]);
-    }
-    return tmu;
+    return 1/(1/eta + materials_.invB().primitiveField());
 }
 
 

@@ -141,6 +141,59 @@ void Foam::partialOperators::rotationBlock
 }
 
 
+Foam::tmp<Foam::scalarField>
+Foam::partialOperators::heldViscosity() const
+{
+    const label n = mesh_.nCells();
+    const auto squares = [](const vector2D& v)
+    {
+        return vector2D(sqr(v.x()), sqr(v.y()));
+    };
+
+    // Walls are left out: with them it would be more beside each
+    Field<vector2D> diag(mesh_.nSlots(), Zero);
+    mesh_.forTwoSided
+    (
+        [&](const label f)
+        {
+            const planarFace& face = mesh_[f];
+            const vector2D k(0.5*K_[f].Kn*(vector2D(1, 1) + squares(face.n)));
+            diag[face.own] += k;
+            diag[face.nei] += k;
+        }
+    );
+    mesh_.halo().swap(diag);
+
+    scalarField compliance(mesh_.nSlots(), Zero);
+    mesh_.forTwoSided
+    (
+        [&](const label f)
+        {
+            const planarFace& face = mesh_[f];
+            const scalar wP = K_[f].wStiff;
+            const scalar c =
+                sqr(face.S*wP)/(diag[face.own] & squares(face.n))
+              + sqr(face.S*(1 - wP))/(diag[face.nei] & squares(face.n));
+            compliance[face.own] += c;
+            compliance[face.nei] += c;
+        }
+    );
+
+    tmp<scalarField> theld(new scalarField(n));
+    scalarField& held = theld.ref();
+    forAll(held, celli)
+    {
+        held[celli] = K_.eta(celli);
+        if (compliance[celli] > 0)
+        {
+            held[celli] =
+                max(held[celli], mesh_.V()[celli]/(3*compliance[celli]));
+        }
+    }
+    return theld;
+}
+
+
 void Foam::partialOperators::addSliding
 (
     const label cmpt,

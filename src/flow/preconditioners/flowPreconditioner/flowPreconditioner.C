@@ -74,7 +74,9 @@ Foam::flowPreconditioner::flowPreconditioner(const cosseratSystem& system)
 
 void Foam::flowPreconditioner::update()
 {
-    muByV_ = system_.pressureViscosity()/system_.faces().V();
+    muByV_ =
+        system_.pressureViscosity(system_.parts().heldViscosity())
+       /system_.faces().V();
 }
 
 
