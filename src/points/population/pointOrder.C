@@ -28,7 +28,7 @@ License
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
 //- Share of the points that may be apart from the one before them
-static const Foam::scalar mostApart = 0.1;
+static const Foam::scalar mostApart = 0.005;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
