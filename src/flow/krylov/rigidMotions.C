@@ -78,7 +78,8 @@ Foam::scalar Foam::rigidMotions::product
 Foam::rigidMotions::rigidMotions(const cosseratSystem& system)
 :
     system_(system),
-    volume_(system.size())
+    volume_(system.size()),
+    sumV_(gSum(system.faces().V()))
 {
     const label n = system.nCells();
     for (label block = 0; block < system.layout().nBlocks(); ++block)
@@ -175,7 +176,7 @@ void Foam::rigidMotions::removeFromSolution(scalarField& x) const
         const label n = system_.nCells();
         const scalarField& V = system_.faces().mesh().V();
         const scalarField p(SubList<scalar>(x, n, 2*n));
-        SubList<scalar>(x, n, 2*n) = p - gSum(V*p)/gSum(V);
+        SubList<scalar>(x, n, 2*n) = p - gSum(V*p)/sumV_;
     }
 }
 

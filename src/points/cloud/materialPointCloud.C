@@ -25,6 +25,7 @@ License
 #include "checkedEntry.H"
 #include "fvcSurfaceIntegrate.H"
 #include "materialNames.H"
+#include "pointOrder.H"
 #include "ListOps.H"
 #include "syncTools.H"
 
@@ -185,7 +186,7 @@ Foam::materialPointCloud::materialPointCloud
     average_(pointAverage::New(dict_)),
     coupling_(flowCoupling::New(dict_, U, phi)),
     properties_(mesh_, dict_, *coupling_, gradU, omega),
-    census_(),
+    census_(mesh_),
     population_(mesh_, dict_, seeding_.pointsPerCell()),
     velocity_(pointVelocity::New(dict_, coupling_->U(), coupling_->phi())),
     walk_(),
@@ -388,6 +389,7 @@ void Foam::materialPointCloud::move(const scalar dt)
         td.volumeOut
     );
     account_.compare(*this, inflow_.waiting());
+    pointOrder::mend(*this);
 }
 
 

@@ -87,6 +87,79 @@ void Foam::materialPoint::startStage(const pointTracking& td)
 }
 
 
+bool Foam::materialPoint::trackStep
+(
+    materialPointCloud& cloud,
+    pointTracking& td
+)
+{
+    if (!step_)
+    {
+        step_.reset(new stepState);
+    }
+
+    stepState& s = *step_;
+    const label n = td.integration.nStages();
+
+    // A point crosses few faces in a step; many mean that it cannot move on
+    const label maxTracks = 10000;
+
+    while (td.keepParticle && !td.switchProcessor && stepFraction() < 1)
+    {
+        const scalar stageEnd = s.begin + s.part*scalar(s.stage + 1)/n;
+
+        // Sums of parts of the step miss its end by rounding
+        if (s.stage < 0 || stepFraction() > stageEnd - 1e-10)
+        {
+            if (s.stage == n - 1)
+            {
+                if (stageEnd > 1 - 1e-10)
+                {
+                    stepFraction() = 1;
+                    break;
+                }
+                startPart(stageEnd, td.courant[cell()]);
+            }
+            else if (s.stage < 0)
+            {
+                startPart(s.begin, td.courant[cell()]);
+            }
+
+            startStage(td);
+            continue;
+        }
+
+        // Without a way its rounding would be tracked, for ever in a corner
+        if (mag(s.displacement) < td.nothing)
+        {
+            stepFraction() = stageEnd;
+            continue;
+        }
+
+        const scalar before = stepFraction();
+        const scalar rest = stageEnd - before;
+        const vector way(s.displacement);
+
+        // Tracking lets the point leave the mid-plane by rounding
+        trackToFace(n*rest/s.part*way - deviationFromMeshCentre(), rest);
+        s.travelled += n*(stepFraction() - before)/s.part*way;
+        hitFace(way, cloud, td);
+
+        if (++s.nTracks > maxTracks)
+        {
+            lost("not at the end of its step after 10000 faces");
+        }
+    }
+
+    if (td.keepParticle && !td.switchProcessor)
+    {
+        step_.reset();
+    }
+
+    return td.keepParticle;
+}
+
+
 void Foam::materialPoint::lost(const string& why) const
 {
     FatalErrorInFunction
@@ -159,94 +232,6 @@ Foam::scalarList Foam::materialPoint::handsOn() const
     }
 
     return numbers;
-}
-
-
-bool Foam::materialPoint::move
-(
-    materialPointCloud& cloud,
-    trackingData& td,
-    const scalar trackTime
-)
-{
-    td.switchProcessor = false;
-    td.keepParticle = true;
-
-    if (!step_)
-    {
-        // Only a whole step: the cloud calls those that have done it again
-        // while others change processor
-        if (stepFraction() >= 1)
-        {
-            return true;
-        }
-        if (td.steps.step(*this, td))
-        {
-            stepFraction() = 1;
-            return true;
-        }
-        step_.reset(new stepState);
-    }
-
-    stepState& s = *step_;
-    const label n = td.integration.nStages();
-
-    // A point crosses few faces in a step; many mean that it cannot move on
-    const label maxTracks = 10000;
-
-    while (td.keepParticle && !td.switchProcessor && stepFraction() < 1)
-    {
-        const scalar stageEnd = s.begin + s.part*scalar(s.stage + 1)/n;
-
-        // Sums of parts of the step miss its end by rounding
-        if (s.stage < 0 || stepFraction() > stageEnd - 1e-10)
-        {
-            if (s.stage == n - 1)
-            {
-                if (stageEnd > 1 - 1e-10)
-                {
-                    stepFraction() = 1;
-                    break;
-                }
-                startPart(stageEnd, td.courant[cell()]);
-            }
-            else if (s.stage < 0)
-            {
-                startPart(s.begin, td.courant[cell()]);
-            }
-
-            startStage(td);
-            continue;
-        }
-
-        // Without a way its rounding would be tracked, for ever in a corner
-        if (mag(s.displacement) < td.nothing)
-        {
-            stepFraction() = stageEnd;
-            continue;
-        }
-
-        const scalar before = stepFraction();
-        const scalar rest = stageEnd - before;
-        const vector way(s.displacement);
-
-        // Tracking lets the point leave the mid-plane by rounding
-        trackToFace(n*rest/s.part*way - deviationFromMeshCentre(), rest);
-        s.travelled += n*(stepFraction() - before)/s.part*way;
-        hitFace(way, cloud, td);
-
-        if (++s.nTracks > maxTracks)
-        {
-            lost("not at the end of its step after 10000 faces");
-        }
-    }
-
-    if (td.keepParticle && !td.switchProcessor)
-    {
-        step_.reset();
-    }
-
-    return td.keepParticle;
 }
 
 

@@ -22,6 +22,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "materialPoint.H"
+#include <algorithm>
+#include <functional>
+#include <vector>
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
@@ -75,6 +78,23 @@ void Foam::materialPoint::operator delete(void* p)
     if (p)
     {
         firstFree = new(p) freePlace{firstFree};
+    }
+}
+
+
+void Foam::materialPoint::tidy()
+{
+    std::vector<void*> places;
+    for (freePlace* place = firstFree; place; place = place->next)
+    {
+        places.push_back(place);
+    }
+    std::sort(places.begin(), places.end(), std::greater<void*>());
+
+    firstFree = nullptr;
+    for (void* place : places)
+    {
+        operator delete(place);
     }
 }
 

@@ -25,6 +25,17 @@ License
 #include "cellPoints.H"
 #include "materialPointCloud.H"
 
+// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
+
+//- Mean differences in number of cells that share a face: on a structured mesh
+//  of a layer four rows of cells
+static const Foam::scalar farMeans = 8;
+
+//- Cells whose data are in the cache at once, half a megabyte, which points
+//  may come to in any order
+static const Foam::label inCache = 1000;
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::pointCensus::clear(const label celli)
@@ -47,10 +58,20 @@ void Foam::pointCensus::add(const label celli, const scalar volume)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::pointCensus::pointCensus()
+Foam::pointCensus::pointCensus(const polyMesh& mesh)
 :
-    nPoints_(0)
-{}
+    nPoints_(0),
+    reach_(0),
+    apart_(0)
+{
+    const label nFaces = mesh.nInternalFaces();
+    scalar sum = 0;
+    for (label facei = 0; facei < nFaces; ++facei)
+    {
+        sum += mag(mesh.faceNeighbour()[facei] - mesh.faceOwner()[facei]);
+    }
+    reach_ = max(label(farMeans*sum/max(nFaces, 1)), inCache);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -69,8 +90,12 @@ void Foam::pointCensus::take(const materialPointCloud& cloud)
     volume_.setSize(cloud.materials().size());
     volume_ = 0;
 
+    apart_ = 0;
+    label before = -1;
     for (const materialPoint& p : cloud)
     {
+        apart_ += mag(p.cell() - before) > reach_;
+        before = p.cell();
         add(p.cell(), p.volume());
         volume_[p.material()] += p.volume();
     }

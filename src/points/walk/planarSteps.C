@@ -64,6 +64,7 @@ void Foam::planarSteps::take
     cells_.setSize(n);
     start_.setSize(n);
     at_ = start_;
+    edges_.setSize(n);
     U_.setSize(n);
     sum_.setSize(n);
     sum_ = Zero;
@@ -78,54 +79,68 @@ void Foam::planarSteps::take
 }
 
 
-bool Foam::planarSteps::walk
+inline bool Foam::planarSteps::walk
 (
-    const label stage,
-    const scalar dt,
-    const pointTracking& td,
+    const stage& k,
     const vector2D& start,
     const vector2D& U,
     vector2D& sum,
     label& celli,
+    label& edge,
     vector2D& at
 ) const
 {
-    const pointIntegration& scheme = td.integration;
-    const bool last = stage == scheme.nStages() - 1;
-
-    sum += scheme.b(stage)*U;
-    const vector2D way(dt*(last ? sum : scheme.a(stage)*U));
+    sum += k.b*U;
+    const vector2D way(k.dt*(k.last ? sum : k.a*U));
     const vector2D next(start + way);
 
     const bool done =
-        planarWalk::isFinite(way) && walk_->walk(celli, at, next);
+        planarWalk::isFinite(way) && walk_->walk(celli, at, next, edge);
     at = next;
 
     return done;
 }
 
 
+inline void Foam::planarSteps::put
+(
+    materialPoint& p,
+    const vector2D& start,
+    const label celli,
+    const label edge,
+    const vector2D& at,
+    const pointTracking& td
+) const
+{
+    // Resting points keep their bits
+    if (magSqr(at - start) > sqr(td.nothing))
+    {
+        walk_->put(p, celli, edge, at);
+    }
+}
+
+
 void Foam::planarSteps::stepAll(const pointTracking& td)
 {
-    for (label stage = 0; stage < td.integration.nStages(); ++stage)
+    for (label i = 0; i < td.integration.nStages(); ++i)
     {
+        const stage k(td.integration, i, td.dt);
         td.velocity.inPlane(*walk_, at_, cells_, U_);
-        forAll(points_, i)
+        forAll(points_, j)
         {
-            done_[i] =
-                done_[i]
+            done_[j] =
+                done_[j]
              && walk
                 (
-                    stage, td.dt, td,
-                    start_[i], U_[i], sum_[i], cells_[i], at_[i]
+                    k, start_[j], U_[j], sum_[j], cells_[j], edges_[j], at_[j]
                 );
         }
     }
-    forAll(points_, i)
+    forAll(points_, j)
     {
-        if (done_[i])
+        if (done_[j])
         {
-            put(*points_[i], start_[i], cells_[i], at_[i], td);
+            put(*points_[j], start_[j], cells_[j], edges_[j], at_[j], td);
         }
     }
 }
@@ -139,7 +154,7 @@ bool Foam::planarSteps::inParts
 {
     const vector2D start(walk_->place(p));
     vector2D at(start);
-    label celli = p.cell();
+    label celli = p.cell(), edge = -1;
 
     scalar begin = 0;
     while (begin < 1 - 1e-10)
@@ -152,46 +167,30 @@ bool Foam::planarSteps::inParts
 
         const vector2D origin(at);
         vector2D U, sum(Zero);
-        for (label stage = 0; stage < td.integration.nStages(); ++stage)
+        for (label i = 0; i < td.integration.nStages(); ++i)
         {
+            const stage k(td.integration, i, part*td.dt);
             UList<vector2D> one(&U, 1);
             td.velocity.inPlane
             (
                 *walk_, UList<vector2D>(&at, 1), labelUList(&celli, 1), one
             );
-            if (!walk(stage, part*td.dt, td, origin, U, sum, celli, at))
+            if (!walk(k, origin, U, sum, celli, edge, at))
             {
                 return false;
             }
         }
         begin += part;
     }
-    put(p, start, celli, at, td);
+    put(p, start, celli, edge, at, td);
 
     return true;
 }
 
 
-void Foam::planarSteps::put
-(
-    materialPoint& p,
-    const vector2D& start,
-    const label celli,
-    const vector2D& at,
-    const pointTracking& td
-) const
-{
-    // Resting points keep their bits
-    if (magSqr(at - start) > sqr(td.nothing))
-    {
-        walk_->put(p, celli, at);
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::planarSteps::step
+bool Foam::planarSteps::stepSlowly
 (
     materialPoint& p,
     const pointTracking& td
@@ -202,7 +201,7 @@ bool Foam::planarSteps::step
         return false;
     }
 
-    if (next_ >= points_.size() || points_[next_] != &p)
+    if (!isNext(p))
     {
         take(p, td);
         stepAll(td);

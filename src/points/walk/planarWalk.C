@@ -32,10 +32,6 @@ License
 //- Edges that a way crosses at most; more are a circle by rounding
 static const Foam::label mostEdges = 1000;
 
-//- Distance from a face of the boundary, beside that of the cell centre, at
-//  which a place is on it: only OpenFOAM's tracking slides points along walls
-static const Foam::scalar touching = 1e-9;
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -82,11 +78,40 @@ Foam::label Foam::planarWalk::exitEdge
 }
 
 
+bool Foam::planarWalk::walkOut
+(
+    label& celli,
+    const vector2D& from,
+    const vector2D& to,
+    label& edge
+) const
+{
+    for (label n = 0; n < mostEdges; ++n)
+    {
+        const label i = exitEdge(celli, from, to);
+        if (i < 0 || edges_[i].beyond < 0)
+        {
+            return false;
+        }
+        celli = edges_[i].beyond;
+
+        bool atWall;
+        if (holds(celli, to, atWall, edge))
+        {
+            return !atWall;
+        }
+    }
+
+    return false;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::planarWalk::planarWalk(const polyMesh& mesh)
 :
     mesh_(mesh),
+    points_(mesh.points()),
     frame_(mesh),
     start_(mesh.nCells() + 1, Zero),
     centres_(mesh.nCells()),
@@ -138,158 +163,6 @@ Foam::planarWalk::planarWalk(const polyMesh& mesh)
     edges_.transfer(edges);
 
     reduce(possible_, andOp<bool>());
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::vector2D Foam::planarWalk::place(const materialPoint& p) const
-{
-    const barycentric& y = p.coordinates();
-    const label celli = p.cell();
-
-    for (label i = start_[celli]; i < start_[celli + 1]; ++i)
-    {
-        const edgeOfCell& e = edges_[i];
-        if (e.face != p.tetFace() || e.lean < 0)
-        {
-            continue;
-        }
-        // Ends on the axis have none
-        const bool first = e.lean < VGREAT && e.ends[0].tetPt == p.tetPt();
-        if (!first && (e.lean == 0 || e.ends[1].tetPt != p.tetPt()))
-        {
-            break;
-        }
-        const half& h = e.ends[first ? 0 : 1];
-
-        // As position() has it, to the last bit: points may be seeded on the
-        // edges of what velocities are linear in
-        const pointField& points = mesh_.points();
-        const vector2D a(frame_.inPlane(points[e.corners[0]]));
-        const vector2D b(frame_.inPlane(points[e.corners[1]]));
-        FixedList<vector2D, 3> at(first ? a : b);
-        at[h.farther] = first ? b : a;
-
-        return
-            y[0]*centres_[celli] + y[1]*at[0] + y[2]*at[1] + y[3]*at[2];
-    }
-
-    return frame_.inPlane(p.position());
-}
-
-
-bool Foam::planarWalk::walk
-(
-    label& celli,
-    const vector2D& from,
-    const vector2D& to
-) const
-{
-    for (label n = 0; n < mostEdges; ++n)
-    {
-        const vector2D& c = centres_[celli];
-        const vector2D d(to - c);
-
-        bool inside = true, atWall = false;
-        for (label i = start_[celli]; i < start_[celli + 1]; ++i)
-        {
-            const edgeOfCell& e = edges_[i];
-            const scalar a = e.a & d;
-            const scalar b = e.b & d;
-            if (e.beyond < 0)
-            {
-                atWall = atWall || a + b > 1 - touching;
-            }
-            else if (a + b > 1)
-            {
-                inside = false;
-                break;
-            }
-        }
-        if (inside)
-        {
-            return !atWall;
-        }
-
-        const label i = exitEdge(celli, from, to);
-        if (i < 0 || edges_[i].beyond < 0)
-        {
-            return false;
-        }
-        celli = edges_[i].beyond;
-    }
-
-    return false;
-}
-
-
-Foam::planarWalk::placeInTet Foam::planarWalk::find
-(
-    const label celli,
-    const vector2D& at
-) const
-{
-    const vector2D& c = centres_[celli];
-    const vector2D d(at - c);
-
-    // The triangle that holds it, or the nearest by rounding
-    label in = start_[celli];
-    scalar best = -GREAT, lA = 0, lB = 0;
-    for (label i = start_[celli]; i < start_[celli + 1]; ++i)
-    {
-        const edgeOfCell& e = edges_[i];
-        const scalar a = e.a & d;
-        const scalar b = e.b & d;
-        if (min(a, b) > best)
-        {
-            best = min(a, b);
-            in = i;
-            lA = a;
-            lB = b;
-        }
-    }
-    lA = max(lA, scalar(0));
-    lB = max(lB, scalar(0));
-
-    const edgeOfCell& e = edges_[in];
-    FixedList<scalar, 3> l;
-    label end = 0;
-    if (e.lean < 0)
-    {
-        l[e.ends[0].same] = 0;
-        l[e.ends[0].opposite] = lA;
-        l[e.ends[0].farther] = lB;
-    }
-    else
-    {
-        end = e.lean < VGREAT && lA >= e.lean*lB ? 0 : 1;
-        const scalar nearer = end ? lB : lA, farther = end ? lA : lB;
-        const scalar lean = farther*(end ? 1/e.lean : e.lean);
-
-        l[e.ends[end].same] = 0.5*(nearer - lean);
-        l[e.ends[end].opposite] = 0.5*(nearer + lean);
-        l[e.ends[end].farther] = farther;
-    }
-
-    return placeInTet
-    {
-        barycentric(1 - lA - lB, l[0], l[1], l[2]),
-        e.face,
-        e.ends[end].tetPt
-    };
-}
-
-
-void Foam::planarWalk::put
-(
-    materialPoint& p,
-    const label celli,
-    const vector2D& at
-) const
-{
-    const placeInTet t(find(celli, at));
-    p.setPlace(t.y, celli, t.face, t.tetPt);
 }
 
 

@@ -49,13 +49,19 @@ Foam::tmp<Foam::scalarField> Foam::flowPreconditioner::pressureOf
 {
     const scalarField& V = system_.faces().V();
     tmp<scalarField> tp(pressureShare*muByV_*system_.layout().p(r));
-    if (system_.closed())
+    if (!system_.closed())
     {
-        tp.ref() -= gSum(V*tp())/gSum(V);
+        return tp;
     }
-    if (system_.closed() && !system_.pressureFloats())
+
+    // Both at once, for it is done in each iteration
+    vector2D sums(sum(V*tp()), sum(system_.layout().p(r)));
+    reduce(sums, sumOp<vector2D>());
+
+    tp.ref() -= sums.x()/sumV_;
+    if (!system_.pressureFloats())
     {
-        tp.ref() += gSum(system_.layout().p(r))/system_.compliance();
+        tp.ref() += sums.y()/compliance_;
     }
     return tp;
 }
@@ -65,6 +71,8 @@ Foam::tmp<Foam::scalarField> Foam::flowPreconditioner::pressureOf
 
 Foam::flowPreconditioner::flowPreconditioner(const cosseratSystem& system)
 :
+    sumV_(gSum(system.faces().V())),
+    compliance_(0),
     system_(system),
     s_(system.newState())
 {}
@@ -77,6 +85,7 @@ void Foam::flowPreconditioner::update()
     muByV_ =
         system_.pressureViscosity(system_.parts().heldViscosity())
        /system_.faces().V();
+    compliance_ = system_.compliance();
 }
 
 

@@ -25,7 +25,6 @@ License
 #include "extrapolatedCalculatedFvPatchFields.H"
 #include "gaussGrad.H"
 #include "leastSquaresGrad.H"
-#include "linear.H"
 #include "oneLayer.H"
 #include "openFaces.H"
 #include "addToRunTimeSelectionTable.H"
@@ -106,6 +105,94 @@ Foam::pointVelocities::conservativeLinear::gradientInPlane() const
 }
 
 
+Foam::List<Foam::tensorField>
+Foam::pointVelocities::conservativeLinear::onBoundary
+(
+    const volTensorField& gradU
+) const
+{
+    const fvMesh& mesh = U_.mesh();
+    const openFaces passed(U_, phi_);
+
+    List<tensorField> onBoundary(mesh.boundary().size());
+    forAll(onBoundary, patchi)
+    {
+        const fvPatch& patch = mesh.boundary()[patchi];
+        if (oneLayer::isPlane(patch.patch()))
+        {
+            continue;
+        }
+
+        const fvPatchTensorField& gradp = gradU.boundaryField()[patchi];
+        tensorField& G = onBoundary[patchi];
+        if (gradp.coupled())
+        {
+            G =
+                patch.weights()*gradp.patchInternalField()
+              + (1.0 - patch.weights())*gradp.patchNeighbourField();
+            continue;
+        }
+
+        G = gradp;
+        forAll(G, i)
+        {
+            if (!passed.open(patch.start() + i))
+            {
+                G[i] = Zero;
+            }
+        }
+    }
+
+    return onBoundary;
+}
+
+
+Foam::scalarField Foam::pointVelocities::conservativeLinear::slopes
+(
+    const volTensorField& gradU
+) const
+{
+    const fvMesh& mesh = U_.mesh();
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const label nInternal = mesh.nInternalFaces();
+    const scalarField& weights = mesh.weights();
+    const List<tensorField> boundary(onBoundary(gradU));
+
+    auto on = [&](const label facei)
+    {
+        if (facei < nInternal)
+        {
+            const tensor& GN = gradU[mesh.faceNeighbour()[facei]];
+            const tensor& GP = gradU[mesh.faceOwner()[facei]];
+            return tensor(weights[facei]*(GP - GN) + GN);
+        }
+        const label patchi = patches.whichPatch(facei);
+        return boundary[patchi][facei - patches[patchi].start()];
+    };
+
+    // A face has the same from both of its cells
+    scalarField slopes(mesh.nFaces(), Zero);
+    for (label celli = 0; celli < mesh.nCells(); ++celli)
+    {
+        for (label i = start_[celli]; i < start_[celli + 1]; ++i)
+        {
+            if (sign_[i] > 0)
+            {
+                // Along the edge, and outward with the same length
+                const vector t(edge(celli, i - start_[celli]));
+                const vector outward
+                (
+                    frame_.inSpace(planarFrame::tangent(frame_.inPlane(t)))
+                );
+                slopes[faces_[i]] = (t & on(faces_[i])) & outward;
+            }
+        }
+    }
+
+    return slopes;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::pointVelocities::conservativeLinear::conservativeLinear
@@ -125,36 +212,14 @@ void Foam::pointVelocities::conservativeLinear::update()
 {
     takeFluxes();
 
-    const fvMesh& mesh = U_.mesh();
     const tmp<volTensorField> tgradU
     (
         axial_.active()
       ? gradientInPlane()
-      : fv::leastSquaresGrad<vector>(mesh).calcGrad(U_, "gradU")
+      : fv::leastSquaresGrad<vector>(U_.mesh()).calcGrad(U_, "gradU")
     );
-    const tensorField& gradU = tgradU().primitiveField();
-    const surfaceTensorField grad(linearInterpolate(tgradU()));
-
-    // Along closed faces the velocity has no slope normal to them
-    const openFaces passed(U_, phi_);
-
-    tensorField all(mesh.nFaces(), Zero);
-    SubList<tensor>(all, mesh.nInternalFaces()) = grad.primitiveField();
-    forAll(grad.boundaryField(), patchi)
-    {
-        const fvsPatchTensorField& gradp = grad.boundaryField()[patchi];
-        const label start = mesh.boundaryMesh()[patchi].start();
-
-        forAll(gradp, i)
-        {
-            if (gradp.coupled() || passed.open(start + i))
-            {
-                all[start + i] = gradp[i];
-            }
-        }
-    }
-
-    setSlopes(all);
+    const volTensorField& gradU = tgradU();
+    setSlopes(slopes(gradU));
 
     forAll(fans_, i)
     {

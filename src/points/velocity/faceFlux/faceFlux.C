@@ -185,25 +185,24 @@ void Foam::pointVelocities::faceFlux::takeFluxes()
 }
 
 
-void Foam::pointVelocities::faceFlux::setSlopes(const tensorField& gradU)
+void Foam::pointVelocities::faceFlux::setSlopes(const scalarField& slopes)
 {
+    forAll(slope_, i)
+    {
+        slope_[i] = faces_[i] < 0 || slopes.empty() ? 0 : slopes[faces_[i]];
+    }
+    if (!axial_.active())
+    {
+        return;
+    }
+
     for (label celli = 0; celli + 1 < start_.size(); ++celli)
     {
         for (label i = start_[celli]; i < start_[celli + 1]; ++i)
         {
-            // Along the edge, and outward with the same length
-            const vector t(edge(celli, i - start_[celli]));
-            const vector outward
-            (
-                frame_.inSpace(planarFrame::tangent(frame_.inPlane(t)))
-            );
-
-            slope_[i] =
-                faces_[i] < 0 || gradU.empty()
-              ? 0 : (t & gradU[faces_[i]]) & outward;
-
-            if (axial_.active() && faces_[i] >= 0)
+            if (faces_[i] >= 0)
             {
+                const vector t(edge(celli, i - start_[celli]));
                 const scalar r = axial_.radius(corners_[i] + 0.5*t);
                 const bool ends =
                     onAxis(corners_[i]) || onAxis(corners_[i] + t);
@@ -304,7 +303,7 @@ void Foam::pointVelocities::faceFlux::update()
     takeFluxes();
     if (axial_.active())
     {
-        setSlopes(tensorField());
+        setSlopes(scalarField());
     }
 
     forAll(fans_, i)

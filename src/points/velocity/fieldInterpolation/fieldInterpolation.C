@@ -75,15 +75,11 @@ void Foam::pointVelocities::fieldInterpolation::inPlane
 {
     forAll(places, i)
     {
-        const planarWalk::placeInTet at(walk.find(cells[i], places[i]));
+        const label edge = walk.edgeOf(cells[i], places[i]);
+        barycentric y;
+        const tetIndices tet(walk.find(cells[i], edge, places[i], y));
 
-        U[i] = walk.frame().inPlane
-        (
-            interpolation_->interpolate
-            (
-                at.y, tetIndices(cells[i], at.face, at.tetPt)
-            )
-        );
+        U[i] = walk.frame().inPlane(interpolation_->interpolate(y, tet));
     }
 }
 
