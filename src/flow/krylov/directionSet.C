@@ -25,7 +25,12 @@ License
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::directionSet::products(const scalarField& x, scalarList& p) const
+template<class Type>
+void Foam::directionSet<Type>::products
+(
+    const scalarField& x,
+    scalarList& p
+) const
 {
     const label n = p.size() - 1, size = x.size();
     const scalar* xs = x.cdata();
@@ -33,10 +38,10 @@ void Foam::directionSet::products(const scalarField& x, scalarList& p) const
     label i = 0;
     for (; i + nTogether <= n; i += nTogether)
     {
-        const scalar* a = v_[i].cdata();
-        const scalar* b = v_[i + 1].cdata();
-        const scalar* c = v_[i + 2].cdata();
-        const scalar* d = v_[i + 3].cdata();
+        const Type* a = v_[i].cdata();
+        const Type* b = v_[i + 1].cdata();
+        const Type* c = v_[i + 2].cdata();
+        const Type* d = v_[i + 3].cdata();
         scalar sa = 0, sb = 0, sc = 0, sd = 0;
         for (label j = 0; j < size; ++j)
         {
@@ -53,13 +58,24 @@ void Foam::directionSet::products(const scalarField& x, scalarList& p) const
     }
     for (; i < n; ++i)
     {
-        p[i] = sumProd(v_[i], x);
+        const Type* v = v_[i].cdata();
+        scalar sum = 0;
+        for (label j = 0; j < size; ++j)
+        {
+            sum += v[j]*xs[j];
+        }
+        p[i] = sum;
     }
     p[n] = sumSqr(x);
 }
 
 
-void Foam::directionSet::add(const scalarUList& coeffs, scalarField& x) const
+template<class Type>
+void Foam::directionSet<Type>::add
+(
+    const scalarUList& coeffs,
+    scalarField& x
+) const
 {
     const label n = coeffs.size(), size = x.size();
     scalar* xs = x.data();
@@ -67,10 +83,10 @@ void Foam::directionSet::add(const scalarUList& coeffs, scalarField& x) const
     label i = 0;
     for (; i + nTogether <= n; i += nTogether)
     {
-        const scalar* a = v_[i].cdata();
-        const scalar* b = v_[i + 1].cdata();
-        const scalar* c = v_[i + 2].cdata();
-        const scalar* d = v_[i + 3].cdata();
+        const Type* a = v_[i].cdata();
+        const Type* b = v_[i + 1].cdata();
+        const Type* c = v_[i + 2].cdata();
+        const Type* d = v_[i + 3].cdata();
         const scalar ka = coeffs[i], kb = coeffs[i + 1];
         const scalar kc = coeffs[i + 2], kd = coeffs[i + 3];
         for (label j = 0; j < size; ++j)
@@ -81,13 +97,19 @@ void Foam::directionSet::add(const scalarUList& coeffs, scalarField& x) const
     for (; i < n; ++i)
     {
         const scalar k = coeffs[i];
-        const scalar* v = v_[i].cdata();
+        const Type* v = v_[i].cdata();
         for (label j = 0; j < size; ++j)
         {
             xs[j] += k*v[j];
         }
     }
 }
+
+
+// * * * * * * * * * * * * * * * Explicit Instances  * * * * * * * * * * * * //
+
+template class Foam::directionSet<Foam::scalar>;
+template class Foam::directionSet<Foam::floatScalar>;
 
 
 // ************************************************************************* //
