@@ -60,7 +60,7 @@ TOLERANCE = float(re.search(
 #: through more cells have 1.8 and 1.15 %, cut cells with layers 1.22 %, grains
 #: with friction, whose viscosities vary most, 1.18 and 5.56 %
 WORK = {("compressible", "yes"): 0.018, ("viscosityAverage", "layered"): 0.0134,
-        ("region", "belowInterface"): 0.0195, ("region", "surface"): 0.0127,
+        ("region", "belowInterface"): 0.0198, ("region", "surface"): 0.0127,
         ("viscosityLaw", "druckerPrager"): 0.013,
         ("viscosityLaw", "muI"): 0.0612}
 

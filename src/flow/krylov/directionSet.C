@@ -25,12 +25,7 @@ License
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-template<class Type>
-void Foam::directionSet<Type>::products
-(
-    const scalarField& x,
-    scalarList& p
-) const
+void Foam::directionSet::products(const scalarField& x, scalarList& p) const
 {
     const label n = p.size() - 1, size = x.size();
     const scalar* xs = x.cdata();
@@ -38,10 +33,10 @@ void Foam::directionSet<Type>::products
     label i = 0;
     for (; i + nTogether <= n; i += nTogether)
     {
-        const Type* a = v_[i].cdata();
-        const Type* b = v_[i + 1].cdata();
-        const Type* c = v_[i + 2].cdata();
-        const Type* d = v_[i + 3].cdata();
+        const scalar* a = v_[i].cdata();
+        const scalar* b = v_[i + 1].cdata();
+        const scalar* c = v_[i + 2].cdata();
+        const scalar* d = v_[i + 3].cdata();
         scalar sa = 0, sb = 0, sc = 0, sd = 0;
         for (label j = 0; j < size; ++j)
         {
@@ -58,24 +53,13 @@ void Foam::directionSet<Type>::products
     }
     for (; i < n; ++i)
     {
-        const Type* v = v_[i].cdata();
-        scalar sum = 0;
-        for (label j = 0; j < size; ++j)
-        {
-            sum += v[j]*xs[j];
-        }
-        p[i] = sum;
+        p[i] = sumProd(v_[i], x);
     }
     p[n] = sumSqr(x);
 }
 
 
-template<class Type>
-void Foam::directionSet<Type>::add
-(
-    const scalarUList& coeffs,
-    scalarField& x
-) const
+void Foam::directionSet::add(const scalarUList& coeffs, scalarField& x) const
 {
     const label n = coeffs.size(), size = x.size();
     scalar* xs = x.data();
@@ -83,10 +67,10 @@ void Foam::directionSet<Type>::add
     label i = 0;
     for (; i + nTogether <= n; i += nTogether)
     {
-        const Type* a = v_[i].cdata();
-        const Type* b = v_[i + 1].cdata();
-        const Type* c = v_[i + 2].cdata();
-        const Type* d = v_[i + 3].cdata();
+        const scalar* a = v_[i].cdata();
+        const scalar* b = v_[i + 1].cdata();
+        const scalar* c = v_[i + 2].cdata();
+        const scalar* d = v_[i + 3].cdata();
         const scalar ka = coeffs[i], kb = coeffs[i + 1];
         const scalar kc = coeffs[i + 2], kd = coeffs[i + 3];
         for (label j = 0; j < size; ++j)
@@ -97,19 +81,13 @@ void Foam::directionSet<Type>::add
     for (; i < n; ++i)
     {
         const scalar k = coeffs[i];
-        const Type* v = v_[i].cdata();
+        const scalar* v = v_[i].cdata();
         for (label j = 0; j < size; ++j)
         {
             xs[j] += k*v[j];
         }
     }
 }
-
-
-// * * * * * * * * * * * * * * * Explicit Instances  * * * * * * * * * * * * //
-
-template class Foam::directionSet<Foam::scalar>;
-template class Foam::directionSet<Foam::floatScalar>;
 
 
 // ************************************************************************* //

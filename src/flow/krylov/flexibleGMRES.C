@@ -161,7 +161,6 @@ Foam::label Foam::flexibleGMRES::cycle
     scalarRectangularMatrix R(m, m);
     scalarList cosine(m, Zero), sine(m, Zero), g(m + 1, Zero);
 
-    scalarField z;
     const scalar beta = Foam::sqrt(gSumSqr(r));
     v_[0] = r/beta;
     g[0] = beta;
@@ -169,19 +168,11 @@ Foam::label Foam::flexibleGMRES::cycle
     label k = 0;
     while (k < m && mag(g[k]) > target)
     {
-        preconditioner_.apply(v_[k]/weights, z);
-        motions_.removeFromSolution(z);
-
-        // In units of power, which no units of the case take out of range
-        z_[k].setSize(z.size());
-        forAll(z, i)
-        {
-            z_[k][i] = floatScalar(z[i]/weights[i]);
-            z[i] = weights[i]*z_[k][i];
-        }
+        preconditioner_.apply(v_[k]/weights, z_[k]);
+        motions_.removeFromSolution(z_[k]);
 
         scalarField& v = v_[k + 1];
-        weightedResidual(z, false, s, v);
+        weightedResidual(z_[k], false, s, v);
         v.negate();
 
         scalarList h(k + 1, Zero);
@@ -223,11 +214,7 @@ Foam::label Foam::flexibleGMRES::cycle
         }
         g[i] /= R(i, i);
     }
-    z = scalarField(x.size(), Zero);
-    z_.add(SubList<scalar>(g, k), z);
-    z *= weights;
-    motions_.removeFromSolution(z);
-    x += z;
+    z_.add(SubList<scalar>(g, k), x);
 
     return k;
 }

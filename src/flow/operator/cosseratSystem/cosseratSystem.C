@@ -35,7 +35,7 @@ void Foam::cosseratSystem::setViscosities
 {
     K_.set(eta, etaC, M, materials_.invB().primitiveField(), cuts);
     hoop_.update();
-    pressureFlux_.update(parts_);
+    pressureFlux_.update(parts_, materials_.followsFlow());
 }
 
 
@@ -297,7 +297,7 @@ void Foam::cosseratSystem::plainResidual
     gradient_.setBoundary(s, driven);
     gradient_.calc(s, driven);
     pressureFlux_.calc(s);
-    if (K_.anyJump())
+    if (s.fSmooth.size())
     {
         mesh_.halo().swap(s.G, s.f, s.fSmooth);
     }

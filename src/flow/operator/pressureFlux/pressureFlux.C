@@ -66,7 +66,8 @@ Foam::scalar Foam::pressureFlux::mobilityAtJump
     // Of cut cells and compressible ones there is no such formula
     if
     (
-        K_.side(f, 0).facing >= 0 || K_.compressible(face.own)
+        followed_
+     || K_.side(f, 0).facing >= 0 || K_.compressible(face.own)
      || K_.side(f, 1).facing >= 0 || K_.compressible(face.nei)
     )
     {
@@ -156,22 +157,31 @@ Foam::pressureFlux::pressureFlux
     mesh_(mesh),
     boundary_(boundary),
     K_(K),
+    followed_(false),
     mobility_(mesh.nFaces(), Zero)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::pressureFlux::update(const partialOperators& parts)
+void Foam::pressureFlux::update
+(
+    const partialOperators& parts,
+    const bool followed
+)
 {
+    followed_ = followed;
     setMobility(parts);
-    setSmooth();
+    if (!followed)
+    {
+        setSmooth();
+    }
 }
 
 
 void Foam::pressureFlux::calc(operatorState& s) const
 {
-    if (!K_.anyJump())
+    if (followed_ || !K_.anyJump())
     {
         s.fSmooth.clear();
         return;
@@ -204,9 +214,10 @@ Foam::scalar Foam::pressureFlux::speed
 ) const
 {
     const planarFace& face = mesh_[f];
+    const scalar w = followed_ ? K_[f].wSoft : face.w;
     const vector2D mean
     (
-        face.w*smooth(s, face.own) + (1 - face.w)*smooth(s, face.nei)
+        w*smooth(s, face.own) + (1 - w)*smooth(s, face.nei)
     );
     return mobility_[f]*(s.faceForce[f] - (mean & face.m));
 }
