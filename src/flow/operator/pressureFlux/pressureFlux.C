@@ -82,10 +82,11 @@ Foam::scalar Foam::pressureFlux::mobilityAtJump
 
 void Foam::pressureFlux::setSmooth()
 {
-    boolList beside(mesh_.nSlots(), false);
+    bitSet beside(mesh_.nSlots());
     for (const jumpFace& jump : K_.jumps())
     {
-        beside[mesh_[jump.f].own] = beside[mesh_[jump.f].nei] = true;
+        beside.set(mesh_[jump.f].own);
+        beside.set(mesh_[jump.f].nei);
     }
 
     Field<tensor2D> sum(mesh_.nCells(), Zero);
