@@ -262,7 +262,11 @@ void Foam::bodyRotations::update()
 
     parts_.clear();
     compliance_.clear();
-    if (system_.faces().axial().active())
+    if
+    (
+        system_.faces().axial().active()
+     || system_.materials().followsFlow()
+    )
     {
         return;
     }
