@@ -46,7 +46,7 @@ def draw(rows):
     cell_ticks(axes, CELLS, [f"{n}$^2$" for n in CELLS])
     axes.set_xlabel("cells")
     axes.set_ylabel("flow solve over Poisson solve")
-    axes.set_ylim(0, 80)
+    axes.set_ylim(0, 40)
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8, ncol=2, loc="upper left")
     save(figure, "solveCost")

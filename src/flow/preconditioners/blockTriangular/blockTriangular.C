@@ -62,7 +62,8 @@ Foam::flowPreconditioners::blockTriangular::blockTriangular
 )
 :
     flowPreconditioner(system),
-    blocks_(system.cosserat() ? 3 : 2)
+    blocks_(system.cosserat() ? 3 : 2),
+    rotations_(system)
 {
     const word names[] = {"U0", "U1", "omega"};
     forAll(blocks_, i)
@@ -95,6 +96,7 @@ void Foam::flowPreconditioners::blockTriangular::update()
         system_.parts().addRolling(diag);
         blocks_[2].set(diag, face);
     }
+    rotations_.update();
 }
 
 
@@ -110,14 +112,17 @@ void Foam::flowPreconditioners::blockTriangular::apply
     scalarField left(r);
     z.setSize(r.size());
 
+    parts.addPressureForce(p, s_, left);
+    const scalarField angles(rotations_.angles(left));
+
     if (system_.cosserat())
     {
         cycle(2, left, z);
         parts.addRotationForce(system_.layout().omega(z), s_, left);
     }
-    parts.addPressureForce(p, s_, left);
     cycle(0, left, z);
     cycle(1, left, z);
+    rotations_.add(angles, z);
     SubList<scalar>(z, n, 2*n) = p;
 }
 
