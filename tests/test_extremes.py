@@ -18,7 +18,8 @@ from cosserat.scenes.parts import run as run_scene
 ROWS = [
     ({"contrast": 1e-6, "coupling": 0.0, "R": 0.0}, 22, "multigrid"),
     ({"contrast": 1e3}, 29, "multigrid"),
-    ({"contrast": 1e6}, 4, "direct"),
+    ({"contrast": 1e6}, 28, "multigrid"),
+    ({"contrast": 2e7}, 4, "direct"),
     ({"coupling": 1e-6}, 31, "multigrid"),
     ({"R": 1e4}, 31, "multigrid"),
     ({"coupling": 10.0, "R": 1e-6}, 3, "direct"),

@@ -104,13 +104,7 @@ Foam::flowPreconditioners::automatic::automatic
     flowPreconditioner(system),
     controls_(controls),
     couplingLimit_(controls.getOrDefault<scalar>("couplingLimit", 3)),
-    jumpLimit_
-    (
-        controls.getOrDefault<scalar>
-        (
-            "jumpLimit", system.cosserat() ? 1e5 : 1e7
-        )
-    ),
+    jumpLimit_(controls.getOrDefault<scalar>("jumpLimit", 1e7)),
     maxUses_(controls.getOrDefault<label>("multigridUses", 150)),
     direct_(false),
     available_(true),
