@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "probedMatrix.H"
+#include "openfoamVersion.H"
 #include "HashSet.H"
 #include "ListListOps.H"
 
@@ -144,8 +145,8 @@ void Foam::probedMatrix::colour()
             nColours_ = max(nColours_, free + 1);
         }
     }
-    Pstream::scatter(colour);
-    Pstream::scatter(nColours_);
+    sendToAll(colour);
+    sendToAll(nColours_);
     colours_ = SubList<label>(colour, n, global_.toGlobal(0));
 }
 

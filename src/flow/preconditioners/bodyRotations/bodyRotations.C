@@ -22,6 +22,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "bodyRotations.H"
+#include "openfoamVersion.H"
 #include "regionSplit.H"
 #include "syncTools.H"
 
@@ -46,7 +47,7 @@ namespace Foam
     static void sumOverRanks(List<Type>& sums)
     {
         Pstream::listCombineGather(sums, plusEqOp<Type>());
-        Pstream::listCombineScatter(sums);
+        sendListToAll(sums);
     }
 }
 
