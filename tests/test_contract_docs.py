@@ -92,6 +92,17 @@ def test_load(box):
     assert len(rows) == 4
 
 
+def test_stop(box):
+    """The stop of the page ends a solve."""
+    case = box(n=8, materials={"a": SAND}, walls={
+        "top": ("type fixedValue; value uniform (1 0 0);", HELD[1]),
+        "bottom": HELD})
+    with (case.path/"system/fvSolution").open("a") as text:
+        text.write(block("stop"))
+    case.run("cosseratPicFoam", "-solveOnce")
+    assert "share 0.1" in case.log()
+
+
 def test_all_examples_are_tried():
     """None of the page is left out."""
     tried = set(re.findall(r'"([a-z-]+)"', open(__file__).read()))

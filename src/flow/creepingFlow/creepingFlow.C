@@ -113,7 +113,7 @@ void Foam::creepingFlow::checkControls() const
         {
             "tolerance", "maxIter", "nDirections", "notConverged",
             "preconditioner", "freeSurfaceStabilisation", "corners", "forced",
-            "nonlinear"
+            "nonlinear", "stop", "share"
         }
     );
 }
@@ -192,6 +192,7 @@ void Foam::creepingFlow::report()
             << ", Final residual = " << performance_.final[i]
             << ", No Iterations " << performance_.iterations << endl;
     }
+    stop_.report(Info);
     tellFunctionObjects();
 
     if (performance_.converged)
@@ -264,6 +265,7 @@ Foam::creepingFlow::creepingFlow(materialFields& materials)
     (
         (printParts(), system_), preconditioner_(), motions_, controls_
     ),
+    stop_(system_, boundary_, fields_, controls_),
     nonlinear_
     (
         materials, system_, boundary_, preconditioner_(), motions_, solver_,
@@ -366,7 +368,8 @@ void Foam::creepingFlow::solveOnce()
         updateSystem();
         checkLoads();
         fields_.pack(system_, x_);
-        performance_ = solver_.solve(x_, state_);
+        performance_ =
+            solver_.solve(x_, state_, stop_.active() ? &stop_ : nullptr);
     }
     // Also without iterations: patch fields wait for it to take new values
     fields_.unpack(system_, boundary_, x_, state_);

@@ -22,8 +22,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "flexibleGMRES.H"
+#include "flowStop.H"
 #include "openfoamVersion.H"
-#include "RectangularMatrix.H"
 #include "PstreamReduceOps.H"
 #include "ListOps.H"
 #include <cmath>
@@ -151,25 +151,36 @@ Foam::label Foam::flexibleGMRES::cycle
     const scalarField& r,
     const scalar target,
     const label maxIter,
-    operatorState& s
+    operatorState& s,
+    flowStop* stop
 )
 {
     const label m = min(nDirections_, maxIter);
     const scalarField& weights = system_.weights();
 
-    // Least-squares problem, kept triangular by rotations
-    scalarRectangularMatrix R(m, m);
-    scalarList cosine(m, Zero), sine(m, Zero), g(m + 1, Zero);
-
     const scalar beta = Foam::sqrt(gSumSqr(r));
+    hessenberg problem(m, beta);
     v_[0] = r/beta;
-    g[0] = beta;
 
-    label k = 0;
-    while (k < m && mag(g[k]) > target)
+    while (problem.size() < m && problem.residual() > target)
     {
-        preconditioner_.apply(v_[k]/weights, z_[k]);
+        const label k = problem.size();
+        const scalarField unweighted(v_[k]/weights);
+        preconditioner_.apply(unweighted, z_[k]);
         motions_.removeFromSolution(z_[k]);
+
+        if (stop && stop->see(problem, unweighted, z_[k]))
+        {
+            scalarField xk(x), rk;
+            z_.add(problem.solution(), xk);
+            weightedResidual(xk, true, s, rk);
+            rk /= weights;
+            stop->look(xk, rk, s);
+            if (stop->reached())
+            {
+                break;
+            }
+        }
 
         scalarField& v = v_[k + 1];
         weightedResidual(z_[k], false, s, v);
@@ -181,42 +192,14 @@ Foam::label Foam::flexibleGMRES::cycle
         {
             v /= norm;
         }
-
-        for (label i = 0; i < k; ++i)
-        {
-            const scalar hi = h[i];
-            h[i] = cosine[i]*hi + sine[i]*h[i + 1];
-            h[i + 1] = -sine[i]*hi + cosine[i]*h[i + 1];
-        }
-        const scalar length = Foam::sqrt(sqr(h[k]) + sqr(norm));
-        if (!(length > 0))
+        if (!problem.add(h, norm))
         {
             break;
         }
-        cosine[k] = h[k]/length;
-        sine[k] = norm/length;
-        h[k] = length;
-        g[k + 1] = -sine[k]*g[k];
-        g[k] *= cosine[k];
-
-        for (label i = 0; i <= k; ++i)
-        {
-            R(i, k) = h[i];
-        }
-        ++k;
     }
+    z_.add(problem.solution(), x);
 
-    for (label i = k - 1; i >= 0; --i)
-    {
-        for (label j = i + 1; j < k; ++j)
-        {
-            g[i] -= R(i, j)*g[j];
-        }
-        g[i] /= R(i, i);
-    }
-    z_.add(SubList<scalar>(g, k), x);
-
-    return k;
+    return problem.size();
 }
 
 
@@ -259,7 +242,8 @@ Foam::flexibleGMRES::flexibleGMRES
 Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
 (
     scalarField& x,
-    operatorState& s
+    operatorState& s,
+    flowStop* stop
 )
 {
     scalarField r;
@@ -283,26 +267,31 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
     weightedResidual(x, true, s, r);
     scalar residual = Foam::sqrt(gSumSqr(r))/reference;
     result.initial = norms(r, reference);
+    if (stop)
+    {
+        stop->start(s);
+    }
 
     while (residual > tolerance_ && result.iterations < maxIter_)
     {
         const label done = cycle
         (
-            x, r, 0.9*tolerance_*reference, maxIter_ - result.iterations, s
+            x, r, 0.9*tolerance_*reference, maxIter_ - result.iterations, s,
+            stop
         );
         result.iterations += done;
 
         weightedResidual(x, true, s, r);
         residual = Foam::sqrt(gSumSqr(r))/reference;
 
-        if (done == 0)
+        if (done == 0 || (stop && stop->reached()))
         {
             break;
         }
     }
 
     result.final = norms(r, reference);
-    result.converged = residual <= tolerance_;
+    result.converged = residual <= tolerance_ || (stop && stop->reached());
 
     // A reference beyond range leaves zeros
     if (!std::isfinite(residual))
@@ -334,7 +323,7 @@ Foam::label Foam::flexibleGMRES::correct
     while (Foam::sqrt(gSumSqr(left)) > target && iterations < maxIter_)
     {
         const label done =
-            cycle(dx, left, 0.9*target, maxIter_ - iterations, s);
+            cycle(dx, left, 0.9*target, maxIter_ - iterations, s, nullptr);
         iterations += done;
         weightedResidual(dx, false, s, left);
         left += first;
