@@ -120,7 +120,7 @@ Foam::scalar Foam::frictionInFlow::see(const operatorState& s)
         const label P = mesh[f].own;
         wallFriction& wall = boundary_.sliding(i);
         const scalar compliance =
-            K.wallGain(f, 0)/(mesh[f].dc*(K.eta(P) + K.etaC(P)));
+            K.wallGain(f, 0)/(mesh[f].dc*K.a(P));
         off = max(off, see(wall, slide(s, i), compliance, N[i]));
         largest = max(largest, wall.limit(N[i]));
     }

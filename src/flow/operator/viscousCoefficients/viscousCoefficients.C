@@ -182,9 +182,16 @@ void Foam::viscousCoefficients::setRotationFace
     cosseratFace& K = rotation_[f];
     K.KwP = 2*P.es*cP;
     K.KwN = 2*N.es*cN;
-    // As deep as the cells: the adjoint of their curl
-    K.KsP = relativeCoefficient(P, f)*cP*mesh_.depthRatio(face.own, f);
-    K.KsN = relativeCoefficient(N, f)*cN*mesh_.depthRatio(face.nei, f);
+    // The adjoint of the curl of the cells: as deep as they are, and where they
+    // are cut with the stiffness that their gradients have
+    auto ofCell = [&](const label celli, const scalar l, const scalar a1)
+    {
+        return
+            relativeCoefficient(at(celli), f)*mesh_.depthRatio(celli, f)
+           *a*face.S*l/max(a1, this->a(celli));
+    };
+    K.KsP = ofCell(face.own, lP, P.a);
+    K.KsN = ofCell(face.nei, lN, N.a);
 
     K.Km = 0;
     if (P.M > 0 && N.M > 0)
@@ -320,6 +327,7 @@ void Foam::viscousCoefficients::set
     anyJump_ = returnReduce(jumps_.size() > 0, orOp<bool>());
 
     setJumpCells();
+    setTurningCells();
 }
 
 
@@ -386,8 +394,8 @@ Foam::scalar Foam::viscousCoefficients::wallGain
     return 1/
     (
         1 - boundary_.curvature(mesh_.boundaryOf(f))/mesh_[f].dc
-       *(eta_[P] - etaC_[P])/(eta_[P] + etaC_[P])
-      + resistance/(mesh_[f].dc*(eta_[P] + etaC_[P]))
+       *b(P)/a(P)
+      + resistance/(mesh_[f].dc*a(P))
     );
 }
 

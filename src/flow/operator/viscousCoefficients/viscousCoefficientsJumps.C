@@ -273,4 +273,35 @@ void Foam::viscousCoefficients::setJumpWalls
 }
 
 
+void Foam::viscousCoefficients::setTurningCells()
+{
+    turningCells_.clear();
+    Map<label> row;
+    for (const label f : mesh_.oneSided())
+    {
+        const label P = mesh_[f].own;
+        if
+        (
+            boundary_.velocity(mesh_.boundaryOf(f)) != flowBoundary::TRACTION
+         || etaC_[P] <= es_[P]
+        )
+        {
+            continue;
+        }
+        if (row.insert(P, turningCells_.size()))
+        {
+            turningCells_.append(turningCell{P, {}, nullptr});
+        }
+        turningCells_[row[P]].walls.append(f);
+    }
+    for (const jumpWall& wall : jumpWalls_)
+    {
+        if (row.found(wall.celli))
+        {
+            turningCells_[row[wall.celli]].after = &wall.after;
+        }
+    }
+}
+
+
 // ************************************************************************* //
