@@ -47,6 +47,12 @@ void Foam::fluxTangent::setShares()
     system_.parts().velocityBlock(0, diag[0], face);
     system_.parts().velocityBlock(1, diag[1], face);
     total_ = -(diag[0] + diag[1]);
+
+    for (label celli = 0; celli < mesh.nCells(); ++celli)
+    {
+        rAU_[celli] = mesh.V()[celli]/total_[celli];
+    }
+    mesh.halo().swap(rAU_);
 }
 
 
@@ -91,6 +97,7 @@ Foam::fluxTangent::fluxTangent
     share_(system.faces().nFaces()),
     total_(),
     flux_(system.faces().nFaces(), Zero),
+    rAU_(system.faces().nSlots(), 1.0),
     change_(system.faces().nSlots())
 {}
 
@@ -151,8 +158,10 @@ void Foam::fluxTangent::add(const scalarField& phi, scalarField& r) const
             const planarFace& face = mesh[f];
             const label P = face.own, N = face.nei;
             const scalar etaP = K.eta(P), etaN = K.eta(N);
+            // Of the mean of rAU, to which the softer cell gives more
+            const scalar wP = face.w*rAU_[P], wN = (1 - face.w)*rAU_[N];
             const scalar change =
-                face.w*change_[P] + (1 - face.w)*change_[N]
+                (wP*change_[P] + wN*change_[N])/(wP + wN)
               + (laws_.cell(P) - laws_.cell(N))*(etaN - etaP)/(etaP + etaN);
             all.addInflow(r, P, -change*flux_[f]);
             all.addInflow(r, N, change*flux_[f]);

@@ -141,9 +141,10 @@ void Foam::lawsInFlow::seeCells
 
     forAll(cells_, celli)
     {
-        const viscosityLaw& law = materials_.law(materials_.most(celli));
-        const viscositySlopes* slopes = law.slopes();
         place& at = cells_[celli];
+        const viscosityLaw& law =
+            materials_.law(materials_.leading(celli, at.share));
+        const viscositySlopes* slopes = law.slopes();
         at.rates = places_.cell(s, celli);
         at.overRest = law.eta()[celli]/law.eta().value();
         const bool follows = slopes && slopes->byRate.size();
@@ -317,7 +318,8 @@ void Foam::lawsInFlow::along(const operatorState& direction) const
 {
     forAll(cells_, celli)
     {
-        change_[celli] = cells_[celli].change(places_.cell(direction, celli));
+        const place& at = cells_[celli];
+        change_[celli] = at.share*at.change(places_.cell(direction, celli));
     }
     system_.faces().halo().swap(change_);
 }
@@ -335,15 +337,20 @@ Foam::scalar Foam::lawsInFlow::face
     }
 
     const planarFace& face = system_.faces()[f];
+    const viscousCoefficients& K = system_.coefficients();
+    const cutCells::layers sideP(K.side(f, 0));
     if (places_.oneSided(f))
     {
-        return change_[face.own];
+        return sideP.own*change_[face.own];
     }
 
-    // By the shares of the cells in the compliance of the path
-    const viscousCoefficients& K = system_.coefficients();
-    const scalar P = (1 - face.w)/K.side(f, 0).a, N = face.w/K.side(f, 1).a;
-    return (P*change_[face.own] + N*change_[face.nei])/(P + N);
+    // By the shares of the cells in the compliance of the path, and in those
+    // of the materials at their centres
+    const cutCells::layers sideN(K.side(f, 1));
+    const scalar P = (1 - face.w)/sideP.a, N = face.w/sideN.a;
+    return
+        (P*sideP.own*change_[face.own] + N*sideN.own*change_[face.nei])
+       /(P + N);
 }
 
 

@@ -23,6 +23,7 @@ License
 
 #include "nonlinearControl.H"
 #include "checkedEntry.H"
+#include "StringStream.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -93,7 +94,11 @@ void Foam::nonlinearControl::readInner(const dictionary& dict)
 }
 
 
-void Foam::nonlinearControl::check(const dictionary& dict) const
+void Foam::nonlinearControl::check
+(
+    const dictionary& dict,
+    const bool needed
+) const
 {
     if (!(tolerance_ > 0 && tolerance_ < 1))
     {
@@ -126,6 +131,16 @@ void Foam::nonlinearControl::check(const dictionary& dict) const
             );
         }
     }
+    if (continuation_.size() > 1 && needed && !regularised_)
+    {
+        OStringStream found;
+        found << flatOutput(continuation_);
+        checkedEntry::refuse
+        (
+            dict, "continuation", found.str(),
+            "(1), as no law and no wall here has a rate of regularisation"
+        );
+    }
     if (continuation_.empty() || continuation_.last() != 1)
     {
         checkedEntry::refuse
@@ -147,8 +162,9 @@ void Foam::nonlinearControl::giveUp(const scalar residual)
             << " steps, nonlinear residual "
             << residual << " instead of " << asked_ << nl
             << "    Cures, in system/fvSolution, creepingFlow: in nonlinear"
-            << " more nPicard, a continuation such as (100 10 1), a larger"
-            << " maxIter or tolerance, a smaller number as inner; or"
+            << " more nPicard,"
+            << (regularised_ ? " a continuation such as (100 10 1)," : "")
+            << " a larger maxIter or tolerance, a smaller number as inner; or"
             << " notConverged warn, to go on all the same" << exit(FatalError);
     }
     WarningInFunction
@@ -165,7 +181,8 @@ Foam::nonlinearControl::nonlinearControl
     const dictionary& dict,
     const scalar linearTolerance,
     const bool warn,
-    const bool needed
+    const bool needed,
+    const bool regularised
 )
 :
     method_(methodNames.getOrDefault("method", dict, methodType::NEWTON)),
@@ -185,6 +202,7 @@ Foam::nonlinearControl::nonlinearControl
         dict.getOrDefault<scalarList>("continuation", scalarList(1, 1.0))
     ),
     warn_(warn),
+    regularised_(regularised),
     asked_(tolerance_),
     n_(0),
     lastResidual_(0),
@@ -203,7 +221,7 @@ Foam::nonlinearControl::nonlinearControl
         }
     );
     readInner(dict);
-    check(dict);
+    check(dict, needed);
 
     if (needed)
     {

@@ -27,11 +27,15 @@ License
 
 //- Relative residual below which fluxes follow the viscosities: further off,
 //- steps that foresee it are shortened so much that they get nowhere
-static const Foam::scalar nearby = 1e-3;
+static const Foam::scalar nearby = 1e-2;
 
 //- Steps after which the shape of what corners resist stays: it follows
 //- rounded viscosities, so in jumps
 static const Foam::label cornersFollow = 3;
+
+//- Steps up to which it is seen anew what interfaces are: in yielding cells
+//- beside air viscosities and gradients follow each other without end
+static const Foam::label interfacesFollow = 3;
 
 //- How often gradients look at the viscosities where those jump, which they
 //- follow: in one material, and in several, between which jumps are large, so
@@ -58,15 +62,14 @@ void Foam::nonlinearSolver::evaluate
 (
     const scalarField& x,
     operatorState& s,
-    scalarField& r
+    scalarField& r,
+    const label looks
 )
 {
     // For the gradients, then with the viscosities that they make; again where
     // gradients follow jumps of them
     system_.residual(x, true, s, r);
-    const label mostGradients =
-        materials_.size() > 1 ? looksOfMany : looksOfOne;
-    label looks = 0;
+    label n = 0;
     do
     {
         if (lawsFollow_)
@@ -76,13 +79,37 @@ void Foam::nonlinearSolver::evaluate
         }
         frictionOff_ = friction_.see(s);
         system_.residual(x, true, s, r);
-        ++looks;
+        ++n;
     }
     while
     (
-        (looks < mostGradients && system_.coefficients().anyJump())
-     || (looks < mostLooks && frictionOff_ > settled)
+        (n < looks && system_.coefficients().anyJump())
+     || (n < mostLooks && frictionOff_ > settled)
     );
+}
+
+
+void Foam::nonlinearSolver::holdInterfaces(const bool held)
+{
+    materials_.holdCuts(held);
+    system_.holdInterfaces(held);
+}
+
+
+void Foam::nonlinearSolver::setInterfaces
+(
+    const scalarField& x,
+    operatorState& s,
+    scalarField& r
+)
+{
+    holdInterfaces(false);
+    evaluate(x, s, r, materials_.size() > 1 ? looksOfMany : looksOfOne);
+    if (lawsFollow_ && system_.coefficients().anyJump())
+    {
+        holdInterfaces(true);
+        evaluate(x, s, r);
+    }
 }
 
 
@@ -298,7 +325,7 @@ void Foam::nonlinearSolver::solveOne
 {
     scalarField r;
     system_.holdCorners(false);
-    evaluate(x, s, r);
+    setInterfaces(x, s, r);
     result.final = solver_.relative(r);
     if (result.iterations == 0)
     {
@@ -310,6 +337,10 @@ void Foam::nonlinearSolver::solveOne
     {
         system_.holdCorners(n > cornersFollow);
         result.iterations += step(x, s, r);
+        if (n < interfacesFollow)
+        {
+            setInterfaces(x, s, r);
+        }
         result.final = solver_.relative(r);
     }
     result.converged = whole(result.final) <= control_.tolerance();
@@ -335,7 +366,11 @@ Foam::nonlinearSolver::nonlinearSolver
     preconditioner_(preconditioner),
     motions_(motions),
     solver_(solver),
-    control_(controls, solver.tolerance(), warn, system.followsFlow()),
+    control_
+    (
+        controls, solver.tolerance(), warn, system.followsFlow(),
+        materials.regularised() || boundary.frictional()
+    ),
     laws_(materials, system),
     tangent_(system, laws_),
     lawsFollow_(materials.followsFlow()),
@@ -395,6 +430,7 @@ Foam::flexibleGMRES::performance Foam::nonlinearSolver::solve
         solveOne(x, s, result, factor == 1);
     }
     continued_ = true;
+    holdInterfaces(false);
 
     return result;
 }

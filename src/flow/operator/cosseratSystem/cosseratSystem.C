@@ -58,6 +58,8 @@ void Foam::cosseratSystem::setCorners
 {
     corners_.setMaterials(eta, etaC, M, materials_.invB().primitiveField());
 
+    const bool held = K_.held();
+    K_.hold(false);
     operatorState s(newState());
     scalarField etaAround(eta), etaCAround(etaC), MAround(M);
     while (corners_.takeJobs(etaAround, etaCAround, MAround))
@@ -76,6 +78,7 @@ void Foam::cosseratSystem::setCorners
 
         flatten(false);
     }
+    K_.hold(held);
 }
 
 
@@ -384,7 +387,10 @@ void Foam::cosseratSystem::update()
     (
         eta, etaC, M, materials_.layered() ? &materials_.cuts() : nullptr
     );
-    loads_.update(M);
+    if (!K_.held())
+    {
+        loads_.update(M);
+    }
     setWeights();
 }
 

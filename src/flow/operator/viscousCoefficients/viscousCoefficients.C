@@ -86,7 +86,7 @@ void Foam::viscousCoefficients::swapSides()
     (
         scalar layers::* const part :
         {&layers::eta, &layers::a, &layers::b, &layers::es, &layers::etaC,
-         &layers::M, &layers::facing}
+         &layers::M, &layers::facing, &layers::own}
     )
     {
         behind = 0;
@@ -160,7 +160,7 @@ void Foam::viscousCoefficients::setFace
     {
         setRotationFace(f, a, eta);
     }
-    if (this->jumps(f))
+    if (!held_ && this->jumps(f))
     {
         jumps.append(setJump(f));
     }
@@ -256,7 +256,8 @@ Foam::viscousCoefficients::viscousCoefficients
     rotation_(cosserat ? mesh.nFaces() : 0),
     Kb_(compressible ? mesh.nFaces() : 0, Zero),
     fluxOffset_(mesh.nonOrthogonal() ? mesh.nFaces() : 0, Zero),
-    anyJump_(false)
+    anyJump_(false),
+    held_(false)
 {}
 
 
@@ -305,6 +306,10 @@ void Foam::viscousCoefficients::set
     {
         setWall(f);
     }
+    if (held_)
+    {
+        takeKept();
+    }
 
     forAll(fluxOffset_, f)
     {
@@ -323,10 +328,12 @@ void Foam::viscousCoefficients::set
             scaleFace(f);
         }
     }
-    jumps_.transfer(jumps);
+    if (!held_)
+    {
+        jumps_.transfer(jumps);
+        setJumpCells();
+    }
     anyJump_ = returnReduce(jumps_.size() > 0, orOp<bool>());
-
-    setJumpCells();
     setTurningCells();
 }
 

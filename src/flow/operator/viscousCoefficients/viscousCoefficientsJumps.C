@@ -141,6 +141,36 @@ Foam::jumpFace Foam::viscousCoefficients::setJump(const label f)
 }
 
 
+void Foam::viscousCoefficients::keepJumps()
+{
+    keptWeights_.setSize(jumps_.size());
+    forAll(jumps_, i)
+    {
+        const viscousFace& K = faces_[jumps_[i].f];
+        keptWeights_[i] = {K.wStiff, K.wSoft, K.wq};
+    }
+    keptJumps_ = jumps_;
+    keptCells_ = jumpCells_;
+    keptWalls_ = jumpWalls_;
+    held_ = true;
+}
+
+
+void Foam::viscousCoefficients::takeKept()
+{
+    jumps_ = keptJumps_;
+    jumpCells_ = keptCells_;
+    jumpWalls_ = keptWalls_;
+    forAll(jumps_, i)
+    {
+        viscousFace& K = faces_[jumps_[i].f];
+        K.wStiff = keptWeights_[i].wStiff;
+        K.wSoft = keptWeights_[i].wSoft;
+        K.wq = keptWeights_[i].wq;
+    }
+}
+
+
 void Foam::viscousCoefficients::addJump
 (
     const jumpFace& jump,

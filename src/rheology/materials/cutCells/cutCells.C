@@ -231,15 +231,23 @@ void Foam::cutCells::setPlanes(const label m, const volScalarField& alpha)
 
 bool Foam::cutCells::onAir(const label celli) const
 {
+    // At rest: grains that yield may be as soft as 300 times the air
+    auto stiffness = [&](const label m)
+    {
+        const viscosityLaw& law = materials_[m].law();
+        const scalar eta = law.eta().value();
+        const scalar etaC = law.M().value() > 0 ? law.etaC().value() : 0;
+        return eta + (law.followsFlow() ? etaC : min(etaC, eta));
+    };
     const scalarField& fraction = fraction_[row_[celli]];
-    const scalar centre = pure(centre_[celli], celli).a;
+    const scalar centre = stiffness(centre_[celli]);
 
     scalar softest = centre;
     forAll(fraction, m)
     {
         if (fraction[m] > smallestCut)
         {
-            const scalar a = pure(m, celli).a;
+            const scalar a = stiffness(m);
             if (a > centre)
             {
                 return false;
@@ -436,7 +444,7 @@ Foam::cutCells::layers Foam::cutCells::at(const label celli) const
 
     const scalar k = thickness_[celli];
     const layers l(pure(centre_[celli], celli));
-    return {k*l.eta, k*l.a, k*l.b, k*l.es, k*l.etaC, k*l.M, -1};
+    return {k*l.eta, k*l.a, k*l.b, k*l.es, k*l.etaC, k*l.M, -1, 1};
 }
 
 
@@ -448,7 +456,7 @@ Foam::cutCells::layers Foam::cutCells::along
 ) const
 {
     const scalarField s(shares(celli, way));
-    layers sum = {0, 0, 0, 0, 0, 0, 0};
+    layers sum = {0, 0, 0, 0, 0, 0, 0, 0};
     bool bends = true;
 
     forAll(s, m)
@@ -463,6 +471,7 @@ Foam::cutCells::layers Foam::cutCells::along
             sum.etaC += s[m]*l.etaC/l.a;
             bends = bends && l.M > 0;
             sum.M += bends ? s[m]/l.M : 0;
+            sum.own += m == centre_[celli] ? s[m]/l.a : 0;
         }
     }
 
@@ -470,7 +479,8 @@ Foam::cutCells::layers Foam::cutCells::along
     {
         1/sum.eta, 1/sum.a, sum.b/sum.a, sum.es/sum.a, sum.etaC/sum.a,
         bends ? 1/sum.M : 0,
-        sqr(n & normal_[row_[celli]][centre_[celli]])
+        sqr(n & normal_[row_[celli]][centre_[celli]]),
+        sum.own/sum.a
     };
 }
 

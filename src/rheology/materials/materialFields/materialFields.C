@@ -111,7 +111,10 @@ void Foam::materialFields::copy
 
 void Foam::materialFields::takeCuts()
 {
-    cuts_.update(alphas_);
+    if (!cutsHeld_)
+    {
+        cuts_.update(alphas_);
+    }
     forAll(eta_, celli)
     {
         const cutCells::layers l(cuts_.at(celli));
@@ -294,6 +297,7 @@ Foam::materialFields::materialFields(const fvMesh& mesh)
     ),
     alphas_(parts_.has(sceneParts::AVERAGES) ? materials_.size() : 0),
     cuts_(materials_),
+    cutsHeld_(false),
     rho_(newField("rho", materials_[0].rho())),
     eta_(newField("eta", materials_[0].law().eta())),
     etaC_(newField("etaC", materials_[0].law().etaC())),
@@ -391,6 +395,19 @@ void Foam::materialFields::relax(const scalar factor)
 }
 
 
+bool Foam::materialFields::regularised() const
+{
+    for (const material& m : materials_)
+    {
+        if (m.law().regularised())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 void Foam::materialFields::rest()
 {
     for (material& m : materials_)
@@ -410,6 +427,43 @@ Foam::label Foam::materialFields::most(const label celli) const
         most = alphas_[m][celli] > alphas_[most][celli] ? m : most;
     }
     return most;
+}
+
+
+Foam::label Foam::materialFields::leading
+(
+    const label celli,
+    scalar& share
+) const
+{
+    share = 1;
+    if (layered() && !cuts_.mixed(celli))
+    {
+        return cuts_.centre(celli);
+    }
+
+    label leading = most(celli);
+    scalar largest = 0, sum = 0;
+    forAll(alphas_, m)
+    {
+        const scalar alpha = alphas_[m][celli];
+        const scalar eta = materials_[m].law().eta()[celli];
+        const scalar part =
+            viscosityAverage_ == cellAverage::rule::GEOMETRIC ? alpha
+          : viscosityAverage_ == cellAverage::rule::HARMONIC ? alpha/eta
+          : alpha*eta;
+        sum += part;
+        if (part > largest && materials_[m].law().followsFlow())
+        {
+            largest = part;
+            leading = m;
+        }
+    }
+    if (largest > 0)
+    {
+        share = largest/sum;
+    }
+    return leading;
 }
 
 
