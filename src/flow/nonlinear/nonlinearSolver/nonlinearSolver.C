@@ -26,8 +26,10 @@ License
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
 //- Relative residual below which fluxes follow the viscosities: further off,
-//- steps that foresee it are shortened so much that they get nowhere
+//- steps that foresee it are shortened so much that they get nowhere; and above
+//- which they no longer do
 static const Foam::scalar nearby = 1e-2;
+static const Foam::scalar away = 3e-2;
 
 //- Steps after which the shape of what corners resist stays: it follows
 //- rounded viscosities, so in jumps
@@ -35,7 +37,7 @@ static const Foam::label cornersFollow = 3;
 
 //- Steps up to which it is seen anew what interfaces are: in yielding cells
 //- beside air viscosities and gradients follow each other without end
-static const Foam::label interfacesFollow = 3;
+static const Foam::label interfacesFollow = 6;
 
 //- How often gradients look at the viscosities where those jump, which they
 //- follow: in one material, and in several, between which jumps are large, so
@@ -277,7 +279,8 @@ Foam::label Foam::nonlinearSolver::step
     if (control_.derivatives())
     {
         scalarField dx(x.size(), Zero);
-        linearise(s, residual < nearby);
+        near_ = residual < (near_ ? away : nearby);
+        linearise(s, near_);
         iterations =
             solver_.correct(dx, r, share, lawsFollow_ ? &tangent_ : nullptr);
         foresee(dx);
@@ -324,6 +327,7 @@ void Foam::nonlinearSolver::solveOne
 )
 {
     scalarField r;
+    near_ = false;
     system_.holdCorners(false);
     setInterfaces(x, s, r);
     result.final = solver_.relative(r);
@@ -377,6 +381,7 @@ Foam::nonlinearSolver::nonlinearSolver
     friction_(system, boundary),
     frictionOff_(0),
     carried_(false),
+    near_(false),
     continued_(false)
 {}
 

@@ -22,22 +22,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cutCells.H"
-#include "wallFvPatch.H"
 #include "smoothGradient.H"
 #include "surfaceFields.H"
 #include "oneLayer.H"
-
-// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
-
-//- Fraction of other materials that makes a cell a cut one
-static const Foam::scalar smallestCut = 1e-9;
-
-//- Cosine of the angle between a wall's normal and that of what faces it
-static const Foam::scalar towards = 0.5;
-
-//- Viscosity, by that of a stiffer material, of what stands in for empty space
-static const Foam::scalar air = 1.0/300;
-
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -226,78 +213,6 @@ void Foam::cutCells::setPlanes(const label m, const volScalarField& alpha)
             );
         }
     }
-}
-
-
-bool Foam::cutCells::onAir(const label celli) const
-{
-    // At rest: grains that yield may be as soft as 300 times the air
-    auto stiffness = [&](const label m)
-    {
-        const viscosityLaw& law = materials_[m].law();
-        const scalar eta = law.eta().value();
-        const scalar etaC = law.M().value() > 0 ? law.etaC().value() : 0;
-        return eta + (law.followsFlow() ? etaC : min(etaC, eta));
-    };
-    const scalarField& fraction = fraction_[row_[celli]];
-    const scalar centre = stiffness(centre_[celli]);
-
-    scalar softest = centre;
-    forAll(fraction, m)
-    {
-        if (fraction[m] > smallestCut)
-        {
-            const scalar a = stiffness(m);
-            if (a > centre)
-            {
-                return false;
-            }
-            softest = min(softest, a);
-        }
-    }
-    return softest < air*centre;
-}
-
-
-void Foam::cutCells::setMixed(const fvMesh& mesh)
-{
-    for (const fvPatch& patch : mesh.boundary())
-    {
-        if (isA<wallFvPatch>(patch))
-        {
-            const vectorField n(patch.nf());
-            forAll(n, i)
-            {
-                const label celli = patch.faceCells()[i], row = row_[celli];
-                const label m = centre_[celli];
-                if
-                (
-                    row >= 0
-                 && (normal_[row][m] & n[i]) > towards
-                 && onAir(celli)
-                )
-                {
-                    mixed_[celli] = true;
-                }
-            }
-        }
-    }
-}
-
-
-Foam::cutCells::layers Foam::cutCells::mixture(const label celli) const
-{
-    const scalarField& fraction = fraction_[row_[celli]];
-    scalar eta = 0, etaC = 0, M = 0;
-    forAll(fraction, m)
-    {
-        const layers l(pure(m, celli));
-        eta += fraction[m]*l.eta;
-        etaC += fraction[m]*l.etaC;
-        M += fraction[m]*l.M;
-    }
-
-    return composed(eta, min(etaC, eta), etaC, M);
 }
 
 
