@@ -28,8 +28,8 @@ License
 //- Relative residual below which fluxes follow the viscosities: further off,
 //- steps that foresee it are shortened so much that they get nowhere; and above
 //- which they no longer do
-static const Foam::scalar nearby = 1e-2;
-static const Foam::scalar away = 3e-2;
+static const Foam::scalar nearby = 1e-3;
+static const Foam::scalar away = 3e-3;
 
 //- Steps after which the shape of what corners resist stays: it follows
 //- rounded viscosities, so in jumps
