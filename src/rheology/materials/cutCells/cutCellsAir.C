@@ -45,47 +45,51 @@ Foam::scalar Foam::cutCells::stiffnessAtRest(const label m) const
 }
 
 
-bool Foam::cutCells::onAir(const label celli) const
+Foam::Pair<Foam::label> Foam::cutCells::softestAndStiffest
+(
+    const label celli
+) const
 {
     // At rest: grains that yield may be as soft as 300 times the air
     const scalarField& fraction = fraction_[row_[celli]];
-    const scalar centre = stiffnessAtRest(centre_[celli]);
-
-    scalar softest = centre;
+    Pair<label> found(centre_[celli], centre_[celli]);
     forAll(fraction, m)
     {
         if (fraction[m] > smallestCut)
         {
             const scalar a = stiffnessAtRest(m);
-            if (a > centre)
+            if (a < stiffnessAtRest(found.first()))
             {
-                return false;
+                found.first() = m;
             }
-            softest = min(softest, a);
+            if (a > stiffnessAtRest(found.second()))
+            {
+                found.second() = m;
+            }
         }
     }
-    return softest < air*centre;
+    return found;
+}
+
+
+bool Foam::cutCells::onAir(const label celli) const
+{
+    const Pair<label> found(softestAndStiffest(celli));
+    return
+        found.second() == centre_[celli]
+     && stiffnessAtRest(found.first()) < air*stiffnessAtRest(found.second());
 }
 
 
 bool Foam::cutCells::yieldsOnAir(const label celli) const
 {
-    const scalarField& fraction = fraction_[row_[celli]];
-    label stiffest = centre_[celli], softest = centre_[celli];
-    forAll(fraction, m)
-    {
-        if (fraction[m] > smallestCut)
-        {
-            const scalar a = stiffnessAtRest(m);
-            stiffest = a > stiffnessAtRest(stiffest) ? m : stiffest;
-            softest = a < stiffnessAtRest(softest) ? m : softest;
-        }
-    }
-    const material& body = materials_[stiffest];
+    const Pair<label> found(softestAndStiffest(celli));
+    const material& gas = materials_[found.first()];
+    const material& body = materials_[found.second()];
     return
         body.law().followsFlow()
-     && stiffnessAtRest(softest) < air*stiffnessAtRest(stiffest)
-     && materials_[softest].rho().value() < air*body.rho().value();
+     && stiffnessAtRest(found.first()) < air*stiffnessAtRest(found.second())
+     && gas.rho().value() < air*body.rho().value();
 }
 
 
