@@ -240,6 +240,9 @@ MISTAKES = {
     "no directions": (SOLUTION, "tolerance       1e-6;",
                       "tolerance 1e-6; nDirections 0;",
                       ["nDirections", "0"]),
+    "recycled below none": (SOLUTION, "tolerance       1e-6;",
+                            "tolerance 1e-6; nRecycled -1;",
+                            ["nRecycled", "-1"]),
     "unknown preconditioner": (SOLUTION, "tolerance       1e-6;",
                                "tolerance 1e-6; preconditioner"
                                " { preconditioner AMG; }", ["AMG", "GAMG"]),

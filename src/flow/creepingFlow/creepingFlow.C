@@ -111,9 +111,9 @@ void Foam::creepingFlow::checkControls() const
     (
         controls_,
         {
-            "tolerance", "maxIter", "nDirections", "notConverged",
-            "preconditioner", "freeSurfaceStabilisation", "corners", "forced",
-            "nonlinear", "stop", "share"
+            "tolerance", "maxIter", "nDirections", "nRecycled",
+            "notConverged", "preconditioner", "freeSurfaceStabilisation",
+            "corners", "forced", "nonlinear", "stop", "share"
         }
     );
 }
@@ -371,6 +371,12 @@ void Foam::creepingFlow::solveOnce()
         performance_ =
             solver_.solve(x_, state_, stop_.active() ? &stop_ : nullptr);
     }
+    if (mesh_.time().writeTime())
+    {
+        // A run that is started from there has nothing of the solves before
+        solver_.forget();
+    }
+
     // Also without iterations: patch fields wait for it to take new values
     fields_.unpack(system_, boundary_, x_, state_);
     report();

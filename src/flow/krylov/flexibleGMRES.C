@@ -35,6 +35,10 @@ License
 //- sheared meshes take 92 iterations instead of 41)
 static const Foam::scalar remaining = 0.5;
 
+//- Share of the length of an image that must remain when those before it are
+//- taken out; otherwise it is one of them
+static const Foam::scalar same = 1e-3;
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -145,6 +149,32 @@ Foam::scalar Foam::flexibleGMRES::orthogonalise
 }
 
 
+void Foam::flexibleGMRES::recycle(operatorState& s, const label nColumns)
+{
+    recycled_.renew(z_);
+
+    label n = 0;
+    for (label j = 0; j < recycled_.size(); ++j)
+    {
+        scalarField& c = v_[n];
+        motions_.removeFromSolution(recycled_[j]);
+        weightedResidual(recycled_[j], false, s, c);
+        c.negate();
+
+        scalarList h(n, Zero);
+        const scalar before = Foam::sqrt(gSumSqr(c));
+        const scalar length = orthogonalise(c, n, h);
+        if (length > same*before)
+        {
+            c /= length;
+            recycled_.normalise(j, n, h, length);
+            ++n;
+        }
+    }
+    recycled_.start(n, nColumns);
+}
+
+
 Foam::label Foam::flexibleGMRES::cycle
 (
     scalarField& x,
@@ -158,21 +188,27 @@ Foam::label Foam::flexibleGMRES::cycle
     const label m = min(nDirections_, maxIter);
     const scalarField& weights = system_.weights();
 
-    const scalar beta = Foam::sqrt(gSumSqr(r));
-    hessenberg problem(m, beta);
-    v_[0] = r/beta;
+    recycle(s, m);
+    const label first = recycled_.size();
+    scalarList h(first, Zero);
+    scalarField& left = v_[first];
+    left = r;
+    const scalar beta = orthogonalise(left, first, h);
+    left /= max(beta, VSMALL);
+    recycled_.add(h, x);
 
+    hessenberg problem(m, beta);
     while (problem.size() < m && problem.residual() > target)
     {
-        const label k = problem.size();
-        const scalarField unweighted(v_[k]/weights);
+        const label k = problem.size(), n = first + k;
+        const scalarField unweighted(v_[n]/weights);
         preconditioner_.apply(unweighted, z_[k]);
         motions_.removeFromSolution(z_[k]);
 
         if (stop && stop->see(problem, unweighted, z_[k]))
         {
             scalarField xk(x), rk;
-            z_.add(problem.solution(), xk);
+            recycled_.add(problem.solution(), z_, xk);
             weightedResidual(xk, true, s, rk);
             rk /= weights;
             stop->look(xk, rk, s);
@@ -182,22 +218,28 @@ Foam::label Foam::flexibleGMRES::cycle
             }
         }
 
-        scalarField& v = v_[k + 1];
+        scalarField& v = v_[n + 1];
         weightedResidual(z_[k], false, s, v);
         v.negate();
 
-        scalarList h(k + 1, Zero);
-        const scalar norm = orthogonalise(v, k + 1, h);
+        h = scalarList(n + 1, Zero);
+        const scalar norm = orthogonalise(v, n + 1, h);
         if (norm > 0)
         {
             v /= norm;
         }
-        if (!problem.add(h, norm))
+        recycled_.setColumn(k, h);
+        scalarList own(SubList<scalar>(h, k + 1, first));
+        if (!problem.add(own, norm))
         {
             break;
         }
     }
-    z_.add(problem.solution(), x);
+    recycled_.add(problem.solution(), z_, x);
+    if (problem.size())
+    {
+        recycled_.keep(problem);
+    }
 
     return problem.size();
 }
@@ -219,11 +261,15 @@ Foam::flexibleGMRES::flexibleGMRES
     tolerance_(controls.getOrDefault<scalar>("tolerance", 1e-6)),
     maxIter_(controls.getOrDefault<label>("maxIter", 300)),
     nDirections_(controls.getOrDefault<label>("nDirections", 150)),
-    v_(nDirections_ + 1),
+    recycled_(controls),
+    v_(recycled_.most() + nDirections_ + 1),
     z_(nDirections_),
     tangent_(nullptr)
 {
-    if (!(tolerance_ > 0 && tolerance_ < 1) || maxIter_ < 1 || nDirections_ < 1)
+    if
+    (
+        !(tolerance_ > 0 && tolerance_ < 1) || maxIter_ < 1 || nDirections_ < 1
+    )
     {
         FatalIOErrorInFunction(controls)
             << "tolerance is " << tolerance_ << ", maxIter " << maxIter_
@@ -233,7 +279,8 @@ Foam::flexibleGMRES::flexibleGMRES
     }
 
     Info<< "    tolerance " << tolerance_ << ", maxIter " << maxIter_
-        << ", nDirections " << nDirections_ << nl;
+        << ", nDirections " << nDirections_
+        << ", nRecycled " << recycled_.most() << nl;
 }
 
 
@@ -311,6 +358,10 @@ Foam::label Foam::flexibleGMRES::correct
     const viscosityTangent* tangent
 )
 {
+    // Nothing of the step before: more exact along what hardly resists, as a
+    // load near its limit has it, steps of Newton's method go too far
+    forget();
+
     operatorState s(system_.newState());
     scalarField first(r), left, dx(x.size(), Zero);
     motions_.removeFromResidual(first);
