@@ -132,6 +132,38 @@ def test_part_left_out(tmp_path, scene, parts):
     assert row["iterations"] == row["iterationsForced"]
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("parameters, tolerance", [
+    ({"contrast": 1e6, "R": 1e4}, 5e-9), ({"coupling": 1e3, "R": 1e4}, 2e-9)])
+def test_more_digits_than_are_written(tmp_path, parameters, tolerance):
+    """The last digit of the velocities makes forces of 1e-8 and more: the rest
+    of the solution is kept beside it until the end."""
+    case = block(tmp_path/"case", **{**DEFAULT, **parameters, "n": 32},
+                 tolerance=tolerance)
+    case.run("cosseratPicFoam")
+    rounded = float(re.search(r"solution has a residual of (\S+)",
+                              case.log())[1])
+    print(rounded, [row[2] for row in residuals(case.log())[:3]])
+    assert tolerance < rounded < 1e-5
+    assert max(row[2] for row in residuals(case.log())) < tolerance
+
+
+@pytest.mark.slow
+def test_rounding_of_the_residual_is_not_convergence(tmp_path):
+    """With more digits of the solution any residual can be computed; it means
+    nothing below what rounding makes of it, which is told."""
+    given = {**DEFAULT, "contrast": 1e8, "n": 32}
+    case = block(tmp_path/"case", **given, tolerance=1e-9)
+    done = case.run("cosseratPicFoam", check=False)
+    assert done.returncode
+    text = " ".join(done.stdout.split())
+    assert max(row[2] for row in residuals(done.stdout)[:3]) < 1e-9
+    least = float(re.search(r"here from about (\S+) on", text)[1])
+    assert 1e-9 < least < 1e-6
+    case.substitute("system/fvSolution", {"tolerance": least})
+    case.run("cosseratPicFoam")
+
+
 def test_one_material_needs_no_average(tutorial):
     """Dye alone: no fractions, nothing averaged; the table says so."""
     case = tutorial("shearLayer", control={"endTime": 4e4,

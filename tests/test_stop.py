@@ -133,7 +133,7 @@ def test_ranks(tmp_path):
 
 @pytest.mark.slow
 def test_restart_is_bitwise(tmp_path):
-    """Nothing of one solve is kept for the next one."""
+    """Nothing of the error is kept for the next solve."""
     whole = Case.copy(TUTORIALS/"silo", tmp_path/"whole")
     whole.substitute("system/blockMeshDict", mesh_entries(4))
     whole.substitute("system/controlDict", {

@@ -192,6 +192,11 @@ void Foam::creepingFlow::report()
             << ", Final residual = " << performance_.final[i]
             << ", No Iterations " << performance_.iterations << endl;
     }
+    if (performance_.rounded > solver_.tolerance())
+    {
+        Info<< "FGMRES:  Rounded to double precision, as it is written, the"
+            << " solution has a residual of " << performance_.rounded << endl;
+    }
     stop_.report(Info);
     tellFunctionObjects();
 

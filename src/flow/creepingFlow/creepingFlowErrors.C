@@ -156,7 +156,7 @@ void Foam::creepingFlow::refuseTolerance() const
         << " iterations, and the rounding of its numbers alone makes "
         << solver_.rounding(x_) << nl
         << "    Allowed: what double precision can meet, here from about "
-        << 100*solver_.rounding(x_) << " on; or notConverged warn"
+        << 3*solver_.rounding(x_) << " on; or notConverged warn"
         << exit(FatalIOError);
 }
 

@@ -319,16 +319,32 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
         stop->start(s);
     }
 
+    // What is left after the first cycle may be below what x can hold: the
+    // rest is kept beside it
+    scalarField rest, before;
     while (residual > tolerance_ && result.iterations < maxIter_)
     {
+        if (result.iterations && !stop && rest.empty())
+        {
+            rest = scalarField(x.size(), Zero);
+            before = r;
+        }
         const label done = cycle
         (
-            x, r, 0.9*tolerance_*reference, maxIter_ - result.iterations, s,
-            stop
+            rest.empty() ? x : rest, r, 0.9*tolerance_*reference,
+            maxIter_ - result.iterations, s, stop
         );
         result.iterations += done;
 
-        weightedResidual(x, true, s, r);
+        if (rest.empty())
+        {
+            weightedResidual(x, true, s, r);
+        }
+        else
+        {
+            weightedResidual(rest, false, s, r);
+            r += before;
+        }
         residual = Foam::sqrt(gSumSqr(r))/reference;
 
         if (done == 0 || (stop && stop->reached()))
@@ -339,6 +355,13 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
 
     result.final = norms(r, reference);
     result.converged = residual <= tolerance_ || (stop && stop->reached());
+    if (rest.size())
+    {
+        result.converged = result.converged && rounding(x) <= tolerance_;
+        x += rest;
+        weightedResidual(x, true, s, r);
+        result.rounded = Foam::sqrt(gSumSqr(r))/reference;
+    }
 
     // A reference beyond range leaves zeros
     if (!std::isfinite(residual))
@@ -408,21 +431,25 @@ Foam::flexibleGMRES::residuals Foam::flexibleGMRES::relative
 Foam::scalar Foam::flexibleGMRES::rounding(const scalarField& x) const
 {
     operatorState s(system_.newState());
-    scalarField r;
-    weightedResidual(scalarField(x.size(), Zero), true, s, r);
-    const scalar reference = Foam::sqrt(gSumSqr(r));
+    scalarField r, rd, difference;
 
-    // Up or down by half a digit, without a pattern in the mesh
-    scalarField rounded(0.5*SMALL*x);
+    // Up or down by some digits, without a pattern in the mesh
+    scalarField other(x);
     unsigned bits = 1;
-    for (scalar& value : rounded)
+    for (scalar& value : other)
     {
         bits = 1664525*bits + 1013904223;
-        value = bits & 0x80000000 ? value : -value;
+        value *= 1 + (bits & 0x80000000 ? 4*SMALL : -4*SMALL);
     }
-    weightedResidual(rounded, false, s, r);
+    const scalarField d(other - x);
 
-    return Foam::sqrt(gSumSqr(r))/max(reference, VSMALL);
+    // Of a linear operator that did not round: zero
+    weightedResidual(other, true, s, difference);
+    weightedResidual(x, true, s, r);
+    weightedResidual(d, false, s, rd);
+    difference -= r + rd;
+
+    return Foam::sqrt(gSumSqr(difference))/max(atRest(), VSMALL);
 }
 
 

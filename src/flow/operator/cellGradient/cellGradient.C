@@ -242,6 +242,7 @@ void Foam::cellGradient::gauss(operatorState& s) const
 {
     s.G = Zero;
 
+    // Differences, so that the digits of a large common velocity do not matter
     mesh_.forTwoSided
     (
         [&](const label f)
@@ -249,26 +250,24 @@ void Foam::cellGradient::gauss(operatorState& s) const
             const planarFace& face = mesh_[f];
             const tensor2D flux
             (
-                mesh_.edge(f)
-               *(
-                    face.n
-                   *(face.w*s.u[face.own] + (1 - face.w)*s.u[face.nei])
-                )
+                mesh_.edge(f)*(face.n*(s.u[face.nei] - s.u[face.own]))
             );
 
             // What a slot gets here is overwritten by swap()
-            s.G[face.own] += flux;
-            s.G[face.nei] -= flux;
+            s.G[face.own] += (1 - face.w)*flux;
+            s.G[face.nei] += face.w*flux;
         }
     );
     for (const label f : mesh_.oneSided())
     {
         const planarFace& face = mesh_[f];
-        s.G[face.own] += mesh_.edge(f)*(face.n*s.u[face.nei]);
+        s.G[face.own] +=
+            mesh_.edge(f)*(face.n*(s.u[face.nei] - s.u[face.own]));
     }
     for (const axisEdge& axis : mesh_.axisEdges())
     {
-        s.G[axis.celli] += axis.S*onAxis(s.u[axis.celli]);
+        const vector2D& u = s.u[axis.celli];
+        s.G[axis.celli] += axis.S*(onAxis(u) - u);
     }
 
     for (label celli = 0; celli < mesh_.nCells(); ++celli)
