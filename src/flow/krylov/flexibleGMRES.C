@@ -205,7 +205,11 @@ Foam::label Foam::flexibleGMRES::cycle
         preconditioner_.apply(unweighted, z_[k]);
         motions_.removeFromSolution(z_[k]);
 
-        if (stop && stop->see(problem, unweighted, z_[k]))
+        if
+        (
+            stop
+         && stop->see(problem, recycled_.slowest(), unweighted, z_[k])
+        )
         {
             scalarField xk(x), rk;
             recycled_.add(problem.solution(), z_, xk);

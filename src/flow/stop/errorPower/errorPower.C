@@ -33,11 +33,12 @@ const Foam::scalar Foam::errorPower::mostSmallest = 0.1;
 void Foam::errorPower::see
 (
     hessenberg& problem,
+    const scalar slowest,
     const scalarField& v,
     const scalarField& z
 )
 {
-    scalar smallest = mostSmallest;
+    scalar smallest = min(mostSmallest, slowest);
     if (problem.size() == 0)
     {
         r_ = problem.residual()*v;

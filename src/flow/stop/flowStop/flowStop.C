@@ -124,11 +124,12 @@ void Foam::flowStop::start(const operatorState& s)
 bool Foam::flowStop::see
 (
     hessenberg& problem,
+    const scalar slowest,
     const scalarField& v,
     const scalarField& z
 )
 {
-    error_.see(problem, v, z);
+    error_.see(problem, slowest, v, z);
     if (problem.size() == 0 && !(dissipated_ > atRest*error_()))
     {
         // The first guess says nothing of the flow: its error is the flow
