@@ -251,9 +251,9 @@ static void testAverage
     );
 
     Random random(1);
-    const auto value = [](const materialPoint& p)
+    const auto value = [&](const materialPoint& p)
     {
-        return p.position().x() + 10*p.position().y();
+        return p.position(mesh).x() + 10*p.position(mesh).y();
     };
 
     // Enough are left for a linear fit
@@ -267,9 +267,10 @@ static void testAverage
         if (left[p.cell()] > 6 && random.sample01<scalar>() < 0.5)
         {
             --left[p.cell()];
-            points.deleteParticle(p);
+            points.drop(p);
         }
     }
+    points.closeUp();
 
     scalarField values(points.size());
     label i = 0;
@@ -281,7 +282,7 @@ static void testAverage
 
     for (const materialPoint& p : points)
     {
-        const point place(p.position());
+        const point place(p.position(mesh));
         os  << p.cell() << ' ' << place.x() << ' ' << place.y() << ' '
             << p.volume() << ' ' << average[p.cell()] << nl;
     }

@@ -92,12 +92,11 @@ static void scatter(materialPointCloud& points, const fvMesh& mesh)
             p.x() = box.min().x() + random.sample01<scalar>()*box.span().x();
             p.y() = box.min().y() + random.sample01<scalar>()*box.span().y();
 
-            materialPoint* scattered = new materialPoint
+            materialPoint& scattered = points.add
             (
-                mesh, p, celli, 0, 0, mesh.V()[celli]/perCell
+                materialPoint(mesh, p, celli, 0, 0, mesh.V()[celli]/perCell)
             );
-            points.properties().start(*scattered);
-            points.addParticle(scattered);
+            points.properties().start(scattered);
         }
     }
 }
@@ -126,7 +125,7 @@ int main(int argc, char *argv[])
 
     for (materialPoint& p : points)
     {
-        p.values()[0] = density(p.position());
+        p.values()[0] = density(p.position(mesh));
     }
 
     const auto& rho = mesh.lookupObject<volScalarField>("density");

@@ -77,7 +77,7 @@ void Foam::functionObjects::materialOutflow::writeRow()
             if (p.material() == material)
             {
                 inPoints += p.volume();
-                out += beyond(p.position()) ? p.volume() : 0;
+                out += beyond(p.position(mesh_)) ? p.volume() : 0;
             }
         }
     }

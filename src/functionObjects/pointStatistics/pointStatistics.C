@@ -86,7 +86,7 @@ Foam::label Foam::functionObjects::pointStatistics::coincident() const
     List<point> places(start.last());
     for (const materialPoint& p : cloud())
     {
-        places[next[p.cell()]++] = p.position();
+        places[next[p.cell()]++] = p.position(mesh_);
     }
 
     // A millionth of a cell apart is the same place

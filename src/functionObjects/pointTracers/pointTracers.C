@@ -63,7 +63,7 @@ Foam::labelPair Foam::functionObjects::pointTracers::nearest
 
     for (const materialPoint& p : cloud)
     {
-        const scalar d = magSqr(p.position() - place);
+        const scalar d = magSqr(p.position(mesh_) - place);
         if (d < distance[me])
         {
             distance[me] = d;
@@ -229,7 +229,7 @@ Foam::scalarField Foam::functionObjects::pointTracers::rows() const
             if (identity == identity_[i])
             {
                 const label celli = tracer.cell();
-                const point at(tracer.position());
+                const point at(tracer.position(mesh_));
                 const vector U(atU->interpolate(at, celli));
                 scalar* row = &values[nColumns*i];
 

@@ -24,7 +24,8 @@ License
 #include "materialPointCloud.H"
 #include "checkedEntry.H"
 #include "fvcSurfaceIntegrate.H"
-#include "materialNames.H"
+#include "planarSteps.H"
+#include "pointFiles.H"
 #include "pointOrder.H"
 #include "ListOps.H"
 #include "syncTools.H"
@@ -55,110 +56,6 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::materialPointCloud::checkStart() const
-{
-    const Time& time = mesh_.time();
-    IOobject io("time", time.timeName(), "uniform", time);
-
-    if (io.typeHeaderOk<IOdictionary>(false))
-    {
-        FatalErrorInFunction
-            << "Time " << time.timeName() << " of " << time.path()
-            << " has been written by a run, but there are no points in "
-            << time.timeName()/cloud::prefix/cloudName << nl
-            << "    Cures: start from another time; or, to seed points anew at"
-            << " this one, delete " << time.timeName() << "/uniform"
-            << exit(FatalError);
-    }
-}
-
-
-void Foam::materialPointCloud::renumberMaterials()
-{
-    const wordList before(materialNames::read(mesh_));
-    const bool restart = nPoints() > 0;
-    if (restart && before.empty())
-    {
-        // As of programs that write a time without its folder 'uniform'
-        Info<< "Time " << mesh_.time().timeName() << " does not name the"
-            << " materials of its points: taken in the order of "
-            << flatOutput(materials_) << nl << endl;
-    }
-    if (before.empty() || before == materials_)
-    {
-        return;
-    }
-
-    for (materialPoint& p : *this)
-    {
-        const label m = p.material();
-        if (m < 0 || m >= before.size())
-        {
-            // Refused as it is
-            continue;
-        }
-
-        p.material() = materials_.find(before[m]);
-        if (p.material() < 0)
-        {
-            FatalErrorInFunction
-                << "Points of time " << mesh_.time().timeName()
-                << " are of the material " << before[m]
-                << ", which constant/materialProperties no longer has" << nl
-                << "    Allowed: materials in any order, further ones, but all"
-                << " those that points are of; found: "
-                << flatOutput(materials_) << exit(FatalError);
-        }
-    }
-}
-
-
-void Foam::materialPointCloud::checkRead() const
-{
-    label i = 0;
-    for (const materialPoint& p : *this)
-    {
-        const barycentric& y = p.coordinates();
-        const label facei = p.tetFace();
-
-        const bool inFace =
-            p.cell() >= 0 && p.cell() < mesh_.nCells()
-         && facei >= 0 && facei < mesh_.nFaces()
-         && p.tetPt() >= 1 && p.tetPt() < mesh_.faces()[facei].size() - 1
-         && (
-                mesh_.faceOwner()[facei] == p.cell()
-             || (
-                    mesh_.isInternalFace(facei)
-                 && mesh_.faceNeighbour()[facei] == p.cell()
-                )
-            );
-        // But for the rounding of tracks
-        const bool inside = cmptMin(y) > -0.1 && mag(cmptSum(y) - 1) < 1e-3;
-
-        if
-        (
-            !inFace || !inside
-         || p.material() < 0 || p.material() >= materials_.size()
-         || !(p.volume() > 0 && checkedEntry::inRange(p.volume()))
-        )
-        {
-            FatalErrorInFunction
-                << "Point " << i << " of "
-                << mesh_.time().timePath()/cloud::prefix/cloudName
-                << " is in cell " << p.cell() << " at its coordinates " << y
-                << ", of material " << p.material() << " and volume "
-                << p.volume() << nl
-                << "    Allowed: places in the " << mesh_.nCells()
-                << " cells of this mesh, materials 0 to "
-                << materials_.size() - 1 << " of "
-                << flatOutput(materials_) << ", volumes above zero"
-                << exit(FatalError);
-        }
-        ++i;
-    }
-}
-
-
 void Foam::materialPointCloud::takeFlow(const scalar dt)
 {
     coupling_->update(dt);
@@ -177,7 +74,7 @@ Foam::materialPointCloud::materialPointCloud
     const pointFlow::gradient& gradU
 )
 :
-    Cloud<materialPoint>(U.mesh(), cloudName, false),
+    Cloud<trackedPoint>(U.mesh(), cloudName, IDLList<trackedPoint>()),
     mesh_(U.mesh()),
     materials_(materials),
     dict_(propertiesIO(mesh_)),
@@ -214,10 +111,7 @@ Foam::materialPointCloud::materialPointCloud
         }
     );
 
-    // ParaView and other readers look for positions, this code for coordinates
-    particle::writeLagrangianPositions = true;
-
-    materialPoint::readFields(*this);
+    pointFiles::read(*this);
     files_.read(*this);
     renumberMaterials();
     checkRead();
@@ -320,6 +214,25 @@ Foam::tmp<Foam::scalarField> Foam::materialPointCloud::courant
 }
 
 
+void Foam::materialPointCloud::track(materialPoint& p, pointTracking& td)
+{
+    autoPtr<trackedPoint> tracked(new trackedPoint(mesh_, std::move(p)));
+    tracked->move(*this, td, td.dt);
+
+    if (td.keepParticle && !td.switchProcessor)
+    {
+        p = tracked->release();
+        return;
+    }
+
+    drop(p);
+    if (td.keepParticle)
+    {
+        addParticle(tracked.ptr());
+    }
+}
+
+
 Foam::pointTracking Foam::materialPointCloud::track
 (
     const scalar dt
@@ -330,11 +243,27 @@ Foam::pointTracking Foam::materialPointCloud::track
     const openFaces open(coupling_->U(), coupling_->phi());
     pointTracking td
     (
-        mesh_, *velocity_, *integration_, walk_.get(), open, dt, courant(dt)
+        mesh_, *velocity_, *integration_, open, dt, courant(dt)
     );
 
     properties_.update(*this, 0.5*dt);
-    Cloud<materialPoint>::move(*this, td, dt);
+    planarSteps(walk_.get()).step
+    (
+        *this,
+        td,
+        [&](materialPoint& p) { track(p, td); }
+    );
+    if (Pstream::parRun())
+    {
+        Cloud<trackedPoint>& onTheirWay = *this;
+        onTheirWay.move(*this, td, dt);
+        for (trackedPoint& p : onTheirWay)
+        {
+            add(p.release());
+        }
+        onTheirWay.clear();
+    }
+    closeUp();
     properties_.update(*this, 0.5*dt);
 
     return td;
@@ -347,12 +276,7 @@ void Foam::materialPointCloud::predict
     PtrList<volScalarField>& fractions
 )
 {
-    PtrList<materialPoint> start(this->size());
-    label i = 0;
-    for (const materialPoint& p : *this)
-    {
-        start.set(i++, new materialPoint(p));
-    }
+    pointList start(*this);
 
     takeFlow(dt);
     track(0.5*dt);
@@ -360,11 +284,7 @@ void Foam::materialPointCloud::predict
     population_.mend(*this, census_);
     average(fractions);
 
-    this->clear();
-    forAll(start, i)
-    {
-        addParticle(start.set(i, nullptr).ptr());
-    }
+    exchange(start);
 }
 
 
@@ -454,26 +374,6 @@ void Foam::materialPointCloud::summary
             << gSum(V*fractions[m].primitiveField()) << " m3";
     }
     Info<< endl;
-}
-
-
-void Foam::materialPointCloud::writeFields() const
-{
-    // The same points, in other tetrahedra for a while
-    files_.write
-    (
-        const_cast<materialPointCloud&>(*this),
-        [&]() { materialPoint::writeFields(*this); }
-    );
-    properties_.write(*this);
-    materialNames::write(mesh_, materials_);
-}
-
-
-void Foam::materialPointCloud::writeObjects(objectRegistry& obr) const
-{
-    materialPoint::writeObjects(*this, obr);
-    properties_.writeObjects(*this, obr);
 }
 
 

@@ -136,7 +136,7 @@ bool Foam::pointInflow::letIn
 ) const
 {
     // Inside by a millionth of the way to the centre
-    materialPoint* p = new materialPoint
+    materialPoint p
     (
         mesh_,
         from + 1e-6*(mesh_.cellCentres()[celli] - from),
@@ -146,19 +146,20 @@ bool Foam::pointInflow::letIn
         volume
     );
 
-    cloud.properties().enter(*p);
-    cloud.properties().update(*p, 0.5*left);
-    const scalar rest = p->track(left*velocity.value(*p), 0);
-    cloud.properties().update(*p, 0.5*left);
+    cloud.properties().enter(p);
+    cloud.properties().update(p, 0.5*left);
+    particle moved(p.asParticle(mesh_));
+    const scalar rest = moved.track(left*velocity.value(moved), 0);
+    p.setPlace(moved);
+    cloud.properties().update(p, 0.5*left);
 
     // Through a corner of the body in one step
-    if (rest > 0 && p->onBoundaryFace() && faces.out(p->face()))
+    if (rest > 0 && moved.onBoundaryFace() && faces.out(moved.face()))
     {
-        delete p;
         return false;
     }
 
-    cloud.addParticle(p);
+    cloud.add(std::move(p));
     return true;
 }
 

@@ -21,154 +21,8 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "materialPointCloud.H"
-#include "pointVelocity.H"
-#include "pointIntegration.H"
-#include "coupledPolyPatch.H"
-#include "wedgePolyPatch.H"
-#include <cmath>
-
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-namespace Foam
-{
-    defineTemplateTypeNameAndDebug(Cloud<materialPoint>, 0);
-}
-
-
-// * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
-
-//- Cells in one step above which a point is not tracked
-static const Foam::scalar mostCells = 1e6;
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::materialPoint::startPart(const scalar begin, const scalar courant)
-{
-    const scalar left = 1 - begin;
-
-    // Not a number neither; parts would get lost in the rounding of the step
-    if (!(courant < mostCells))
-    {
-        lost("the way of its step is more than a million cells");
-    }
-
-    const label nTracks = step_->nTracks;
-    *step_ = stepState();
-    step_->nTracks = nTracks;
-    step_->begin = begin;
-    step_->part = partOf(left, courant);
-}
-
-
-void Foam::materialPoint::startStage(const pointTracking& td)
-{
-    const pointIntegration& scheme = td.integration;
-    const vector U(td.velocity.value(*this));
-
-    if (!std::isfinite(mag(U)))
-    {
-        lost("the velocity is not a number");
-    }
-
-    stepState& s = *step_;
-    ++s.stage;
-    s.sum += scheme.b(s.stage)*U;
-    s.displacement =
-        s.part*td.dt
-       *(s.stage < scheme.nStages() - 1 ? scheme.a(s.stage)*U : s.sum)
-      - s.travelled;
-
-    if (!std::isfinite(mag(s.displacement)))
-    {
-        lost("the way of its step is not a number");
-    }
-}
-
-
-bool Foam::materialPoint::trackStep
-(
-    materialPointCloud& cloud,
-    pointTracking& td
-)
-{
-    if (!step_)
-    {
-        step_.reset(new stepState);
-    }
-
-    stepState& s = *step_;
-    const label n = td.integration.nStages();
-
-    // A point crosses few faces in a step; many mean that it cannot move on
-    const label maxTracks = 10000;
-
-    while (td.keepParticle && !td.switchProcessor && stepFraction() < 1)
-    {
-        const scalar stageEnd = s.begin + s.part*scalar(s.stage + 1)/n;
-
-        // Sums of parts of the step miss its end by rounding
-        if (s.stage < 0 || stepFraction() > stageEnd - 1e-10)
-        {
-            if (s.stage == n - 1)
-            {
-                if (stageEnd > 1 - 1e-10)
-                {
-                    stepFraction() = 1;
-                    break;
-                }
-                startPart(stageEnd, td.courant[cell()]);
-            }
-            else if (s.stage < 0)
-            {
-                startPart(s.begin, td.courant[cell()]);
-            }
-
-            startStage(td);
-            continue;
-        }
-
-        // Without a way its rounding would be tracked, for ever in a corner
-        if (mag(s.displacement) < td.nothing)
-        {
-            stepFraction() = stageEnd;
-            continue;
-        }
-
-        const scalar before = stepFraction();
-        const scalar rest = stageEnd - before;
-        const vector way(s.displacement);
-
-        // Tracking lets the point leave the mid-plane by rounding
-        trackToFace(n*rest/s.part*way - deviationFromMeshCentre(), rest);
-        s.travelled += n*(stepFraction() - before)/s.part*way;
-        hitFace(way, cloud, td);
-
-        if (++s.nTracks > maxTracks)
-        {
-            lost("not at the end of its step after 10000 faces");
-        }
-    }
-
-    if (td.keepParticle && !td.switchProcessor)
-    {
-        step_.reset();
-    }
-
-    return td.keepParticle;
-}
-
-
-void Foam::materialPoint::lost(const string& why) const
-{
-    FatalErrorInFunction
-        << "Material point " << origProc() << ":" << origId() << " at "
-        << position() << " in cell " << cell() << ", time "
-        << mesh().time().timeName() << ": " << why.c_str()
-        << exit(FatalError);
-}
-
+#include "materialPoint.H"
+#include "polyMesh.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -182,10 +36,7 @@ Foam::materialPoint::materialPoint
     const scalar volume
 )
 :
-    particle(mesh, position, celli),
-    material_(material),
-    dye_(dye),
-    volume_(volume)
+    materialPoint(particle(mesh, position, celli), material, dye, volume)
 {}
 
 
@@ -197,24 +48,38 @@ Foam::materialPoint::materialPoint
     const UList<scalar>& numbers
 )
 :
-    particle(mesh, position, celli),
-    material_(label(numbers[0])),
-    dye_(label(numbers[1])),
-    volume_(numbers[2])
+    materialPoint
+    (
+        mesh,
+        position,
+        celli,
+        label(numbers[0]),
+        label(numbers[1]),
+        numbers[2]
+    )
 {
     values_ =
         SubList<scalar>(numbers, numbers.size() - nOwnNumbers, nOwnNumbers);
 }
 
 
-Foam::materialPoint::materialPoint(const materialPoint& other)
+Foam::materialPoint::materialPoint
+(
+    const particle& p,
+    const label material,
+    const label dye,
+    const scalar volume
+)
 :
-    particle(other),
-    material_(other.material_),
-    dye_(other.dye_),
-    volume_(other.volume_),
-    values_(other.values_),
-    step_(other.step_ ? new stepState(*other.step_) : nullptr)
+    coordinates_(p.coordinates()),
+    volume_(volume),
+    cell_(p.cell()),
+    tetFace_(p.tetFace()),
+    tetPt_(p.tetPt()),
+    origProc_(p.origProc()),
+    origId_(p.origId()),
+    material_(material),
+    dye_(dye)
 {}
 
 
@@ -235,74 +100,48 @@ Foam::scalarList Foam::materialPoint::handsOn() const
 }
 
 
-bool Foam::materialPoint::hitPatch(materialPointCloud&, trackingData& td)
+Foam::point Foam::materialPoint::position(const polyMesh& mesh) const
 {
-    const polyPatch& pp = mesh().boundaryMesh()[patch()];
-
-    if (isA<coupledPolyPatch>(pp))
-    {
-        return false;
-    }
-
-    if (td.open.out(face()))
-    {
-        td.keepParticle = false;
-        ++td.nOut[patch()];
-        td.volumeOut[patch()] += volume_;
-    }
-    else
-    {
-        // Along the wall, and off it by more than the rounding of the way,
-        // which would end at the wall again and again where that is oblique
-        vector n(normal());
-        if (isA<wedgePolyPatch>(pp))
-        {
-            // Met at the axis only
-            const vector& e = refCast<const wedgePolyPatch>(pp).centreNormal();
-            n = normalised(n - (n & e)*e);
-        }
-        vector& way = step_->displacement;
-        way -= (max(way & n, scalar(0)) + 1e-12*mag(way))*n;
-    }
-
-    return true;
+    return asParticle(mesh).position();
 }
 
 
-void Foam::materialPoint::hitProcessorPatch
+Foam::particle Foam::materialPoint::asParticle(const polyMesh& mesh) const
+{
+    particle p(mesh, coordinates_, cell_, tetFace_, tetPt_);
+
+    // It is none that is new
+    --particle::particleCount_;
+    p.origProc() = origProc_;
+    p.origId() = origId_;
+
+    return p;
+}
+
+
+Foam::scalar Foam::materialPoint::track
 (
-    materialPointCloud&,
-    trackingData& td
+    const polyMesh& mesh,
+    const vector& way
 )
 {
-    td.switchProcessor = true;
+    particle p(asParticle(mesh));
+    const scalar rest = p.track(way, 0);
+    setPlace(p);
+
+    return rest;
 }
 
 
-void Foam::materialPoint::transformProperties(const tensor& T)
+void Foam::materialPoint::trackToFace
+(
+    const polyMesh& mesh,
+    const vector& way
+)
 {
-    particle::transformProperties(T);
-    if (step_)
-    {
-        for (vector* v : {&step_->displacement, &step_->travelled, &step_->sum})
-        {
-            *v = transform(T, *v);
-        }
-    }
-
-    if (values_.size())
-    {
-        mesh().lookupObject<materialPointCloud>
-        (
-            materialPointCloud::cloudName
-        ).properties().transform(*this, T);
-    }
-}
-
-
-void Foam::materialPoint::transformProperties(const vector& separation)
-{
-    particle::transformProperties(separation);
+    particle p(asParticle(mesh));
+    p.trackToFace(way, 0);
+    setPlace(p);
 }
 
 

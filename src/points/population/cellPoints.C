@@ -31,9 +31,10 @@ void Foam::cellPoints::sort()
     start_ = cloud_.census().starts();
     sorted_.setSize(start_.last());
     labelList next(start_);
-    for (materialPoint& p : cloud_)
+    label i = 0;
+    for (const materialPoint& p : cloud_)
     {
-        sorted_[next[p.cell()]++] = &p;
+        sorted_[next[p.cell()]++] = i++;
     }
 }
 
@@ -57,10 +58,10 @@ Foam::DynamicList<Foam::materialPoint*>& Foam::cellPoints::operator[]
     }
 
     DynamicList<materialPoint*>& here = asked_(celli);
-    here = SubList<materialPoint*>
-    (
-        sorted_, start_[celli + 1] - start_[celli], start_[celli]
-    );
+    for (label i = start_[celli]; i < start_[celli + 1]; ++i)
+    {
+        here.append(&cloud_.begin()[sorted_[i]]);
+    }
 
     return here;
 }

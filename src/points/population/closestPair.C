@@ -58,10 +58,12 @@ void Foam::closestPair::findPartner(const label i)
 
 Foam::closestPair::closestPair
 (
+    const polyMesh& mesh,
     const DynamicList<materialPoint*>& points,
     const scalar largest
 )
 :
+    mesh_(mesh),
     points_(points),
     largest_(largest),
     places_(points.size()),
@@ -70,7 +72,7 @@ Foam::closestPair::closestPair
 {
     forAll(points_, i)
     {
-        places_.append(points_[i]->position());
+        places_.append(points_[i]->position(mesh_));
         partner_.append(-1);
         lost_.append(GREAT);
         findPartner(i);
@@ -100,7 +102,7 @@ Foam::label Foam::closestPair::later() const
 void Foam::closestPair::update(const label stays, const label goes)
 {
     const label moved = stays > goes ? stays - 1 : stays;
-    places_[stays] = points_[moved]->position();
+    places_[stays] = points_[moved]->position(mesh_);
 
     // The list has closed up behind the one that left
     label n = 0;

@@ -34,6 +34,7 @@ namespace Foam
     //- kind, or of the same material only; null: none
     static materialPoint* partner
     (
+        const polyMesh& mesh,
         const materialPoint& p,
         const UList<materialPoint*>& others,
         const bool anyDye
@@ -55,7 +56,9 @@ namespace Foam
             {
                 const scalar s = closestPair::spread
                 (
-                    p, *other, magSqr(p.position() - other->position())
+                    p,
+                    *other,
+                    magSqr(p.position(mesh) - other->position(mesh))
                 );
                 if (cellSurroundings::more*s < least)
                 {
@@ -80,14 +83,16 @@ void Foam::pointMerging::merge
     const bool moves
 ) const
 {
+    const polyMesh& mesh = surroundings_.mesh();
     const scalar part = goes.volume()/(stays.volume() + goes.volume());
     if (moves)
     {
-        stays.trackToFace(part*(goes.position() - stays.position()), 0);
+        const vector way(goes.position(mesh) - stays.position(mesh));
+        stays.trackToFace(mesh, part*way);
     }
     cloud.properties().merge(stays, goes, part);
     stays.volume() += goes.volume();
-    cloud.deleteParticle(goes);
+    cloud.drop(goes);
 }
 
 
@@ -131,7 +136,7 @@ Foam::label Foam::pointMerging::thin
         return 0;
     }
 
-    closestPair closest(here, largest);
+    closestPair closest(surroundings_.mesh(), here, largest);
     while (here.size() > most)
     {
         const label later = closest.later();
@@ -162,6 +167,7 @@ Foam::label Foam::pointMerging::sweep
     const scalar share
 ) const
 {
+    const polyMesh& mesh = surroundings_.mesh();
     const DynamicList<materialPoint*>& here = points[celli];
     label nMerged = 0;
 
@@ -179,7 +185,7 @@ Foam::label Foam::pointMerging::sweep
             break;
         }
 
-        materialPoint* other = partner(*tiny, here, false);
+        materialPoint* other = partner(mesh, *tiny, here, false);
         const bool moves = other;
         if (!other)
         {
@@ -187,9 +193,9 @@ Foam::label Foam::pointMerging::sweep
             (
                 pointsAround(points, celli)
             );
-            other = partner(*tiny, around, false);
-            other = other ? other : partner(*tiny, here, true);
-            other = other ? other : partner(*tiny, around, true);
+            other = partner(mesh, *tiny, around, false);
+            other = other ? other : partner(mesh, *tiny, here, true);
+            other = other ? other : partner(mesh, *tiny, around, true);
         }
         if (!other)
         {

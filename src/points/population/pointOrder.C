@@ -23,7 +23,6 @@ License
 
 #include "pointOrder.H"
 #include "materialPointCloud.H"
-#include <vector>
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
 
@@ -45,24 +44,24 @@ void Foam::pointOrder::sort(materialPointCloud& cloud)
         next[celli] += next[celli - 1];
     }
 
-    List<const materialPoint*> sorted(cloud.size());
+    // Where each of them belongs
+    labelList place(cloud.size());
+    label n = 0;
     for (const materialPoint& p : cloud)
     {
-        sorted[next[p.cell()]++] = &p;
+        place[n++] = next[p.cell()]++;
     }
 
-    // In memory too, and without memory that is kept
-    std::vector<materialPoint> copies;
-    copies.reserve(sorted.size());
-    for (const materialPoint* p : sorted)
+    // Each change puts one where it belongs
+    const pointList::iterator points(cloud.begin());
+    forAll(place, i)
     {
-        copies.push_back(*p);
-    }
-    cloud.clear();
-    materialPoint::tidy();
-    for (const materialPoint& p : copies)
-    {
-        cloud.addParticle(new materialPoint(p));
+        while (place[i] != i)
+        {
+            const label j = place[i];
+            std::swap(points[i], points[j]);
+            Swap(place[i], place[j]);
+        }
     }
 }
 

@@ -71,9 +71,9 @@ Foam::label Foam::pointPopulation::splitLarge(cellPoints& points) const
         while (p.volume() > margin*largest_[p.cell()])
         {
             const label celli = p.cell();
-            materialPoint* added = splitting_.spread(cloud, p, points[celli]);
-            large.append(added);
-            points[added->cell()].append(added);
+            materialPoint& added = splitting_.spread(cloud, p, points[celli]);
+            large.append(&added);
+            points[added.cell()].append(&added);
             if (p.cell() != celli)
             {
                 points.remove(celli, &p);
@@ -137,7 +137,7 @@ Foam::label Foam::pointPopulation::splitFew(cellPoints& points) const
                 largest = p->volume() > cellSurroundings::more*largest->volume()
                   ? p : largest;
             }
-            here.append(splitting_.split(points.cloud(), *largest, here));
+            here.append(&splitting_.split(points.cloud(), *largest, here));
             ++nAdded;
         }
     }
@@ -224,6 +224,8 @@ Foam::labelPair Foam::pointPopulation::mend
     );
     note(changed.second(), mergeMany(points));
     note(changed.first(), splitFew(points));
+
+    cloud.closeUp();
 
     reduce(changed.first(), sumOp<label>());
     reduce(changed.second(), sumOp<label>());

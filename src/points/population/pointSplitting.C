@@ -29,12 +29,12 @@ License
 Foam::List<Foam::point> Foam::pointSplitting::places
 (
     const UList<materialPoint*>& points
-)
+) const
 {
     List<point> places(points.size());
     forAll(points, i)
     {
-        places[i] = points[i]->position();
+        places[i] = points[i]->position(surroundings_.mesh());
     }
 
     return places;
@@ -48,7 +48,7 @@ Foam::vector Foam::pointSplitting::way
 ) const
 {
     const label celli = p.cell();
-    const point middle(p.position());
+    const point middle(p.position(surroundings_.mesh()));
     const label nAngles = 8, nLengths = 5;
 
     const List<point> at(places(others));
@@ -111,20 +111,21 @@ Foam::vector Foam::pointSplitting::way
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::materialPoint* Foam::pointSplitting::spread
+Foam::materialPoint& Foam::pointSplitting::spread
 (
     materialPointCloud& cloud,
     materialPoint& p,
     const UList<materialPoint*>& here
 ) const
 {
+    const fvMesh& mesh = surroundings_.mesh();
     const label nAngles = 4, nLengths = 4;
 
     p.volume() *= 0.5;
     cloud.properties().split(p);
 
     // Directions by chance, the same for the same place
-    const point from(p.position());
+    const point from(p.position(mesh));
     const scalar size = surroundings_.size(p.volume(), from);
     const scalar golden = 0.61803398874989485;
     scalar angle =
@@ -138,16 +139,16 @@ Foam::materialPoint* Foam::pointSplitting::spread
         {
             const vector d(surroundings_.inPlane(length, angle));
             materialPoint plus(p), minus(p);
-            if (plus.track(d, 0) == 0 && minus.track(-d, 0) == 0)
+            if (plus.track(mesh, d) == 0 && minus.track(mesh, -d) == 0)
             {
-                p.track(-d, 0);
-                materialPoint* added = new materialPoint
+                p.track(mesh, -d);
+                return cloud.add
                 (
-                    surroundings_.mesh(), plus.position(), plus.cell(),
-                    p.handsOn()
+                    materialPoint
+                    (
+                        mesh, plus.position(mesh), plus.cell(), p.handsOn()
+                    )
                 );
-                cloud.addParticle(added);
-                return added;
             }
             angle += constant::mathematical::pi/nAngles;
         }
@@ -155,20 +156,13 @@ Foam::materialPoint* Foam::pointSplitting::spread
     }
 
     // In a corner: inward
-    materialPoint* added = new materialPoint
-    (
-        surroundings_.mesh(),
-        surroundings_.inward(p.cell(), from, places(here)),
-        p.cell(),
-        p.handsOn()
-    );
-    cloud.addParticle(added);
+    const point to(surroundings_.inward(p.cell(), from, places(here)));
 
-    return added;
+    return cloud.add(materialPoint(mesh, to, p.cell(), p.handsOn()));
 }
 
 
-Foam::materialPoint* Foam::pointSplitting::split
+Foam::materialPoint& Foam::pointSplitting::split
 (
     materialPointCloud& cloud,
     materialPoint& p,
@@ -176,7 +170,7 @@ Foam::materialPoint* Foam::pointSplitting::split
 ) const
 {
     const fvMesh& mesh = surroundings_.mesh();
-    const point from(p.position());
+    const point from(p.position(mesh));
     const vector d(way(p, here));
 
     p.volume() *= 0.5;
@@ -185,17 +179,14 @@ Foam::materialPoint* Foam::pointSplitting::split
     point to(from + d);
     if (magSqr(d) > 0)
     {
-        p.trackToFace(-d, 0);
+        p.trackToFace(mesh, -d);
     }
     else
     {
         to = surroundings_.inward(p.cell(), from, places(here));
     }
 
-    materialPoint* added = new materialPoint(mesh, to, p.cell(), p.handsOn());
-    cloud.addParticle(added);
-
-    return added;
+    return cloud.add(materialPoint(mesh, to, p.cell(), p.handsOn()));
 }
 
 

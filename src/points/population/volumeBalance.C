@@ -168,12 +168,13 @@ bool Foam::volumeBalance::isTaken
     const point& place
 ) const
 {
-    const scalar V = surroundings_.mesh().V()[own.cell()];
+    const fvMesh& mesh = surroundings_.mesh();
+    const scalar V = mesh.V()[own.cell()];
     const scalar apart = 1e-3*surroundings_.size(V, place);
 
     for (const materialPoint* p : points)
     {
-        if (p != &own && mag(p->position() - place) < apart)
+        if (p != &own && mag(p->position(mesh) - place) < apart)
         {
             return true;
         }
@@ -199,13 +200,15 @@ Foam::scalarList Foam::volumeBalance::give
     const point& place
 ) const
 {
+    const polyMesh& mesh = surroundings_.mesh();
+
     // The nearest that has twice the volume, else the largest
     materialPoint* giver = points[0];
     bool enough = false;
     scalar nearest = GREAT;
     for (materialPoint* p : points)
     {
-        const scalar distance = magSqr(p->position() - place);
+        const scalar distance = magSqr(p->position(mesh) - place);
         if
         (
             cellSurroundings::more*p->volume() >= 2*volume
@@ -226,7 +229,7 @@ Foam::scalarList Foam::volumeBalance::give
         }
     }
 
-    const point from(giver->position());
+    const point from(giver->position(mesh));
     const label celli = giver->cell();
     scalar part = min(volume/giver->volume(), scalar(0.5));
     point to(from - part/(1 - part)*(place - from));
@@ -251,7 +254,7 @@ Foam::scalarList Foam::volumeBalance::give
     cloud.properties().split(*giver);
     if (surroundings_.contains(celli, to))
     {
-        giver->trackToFace(to - from, 0);
+        giver->trackToFace(mesh, to - from);
     }
 
     return numbers;
@@ -293,7 +296,7 @@ void Foam::volumeBalance::findPlaces
             {
                 for (const materialPoint* p : points[celli])
                 {
-                    others.append(p->position());
+                    others.append(p->position(surroundings_.mesh()));
                 }
             }
             const point p(surroundings_.place(celli, others));
@@ -376,15 +379,17 @@ Foam::label Foam::volumeBalance::handOn
             {
                 handed[k] = numbers[k][pointi];
             }
-            materialPoint* added = new materialPoint
+            materialPoint& added = cloud.add
             (
-                mesh,
-                point(place[0][pointi], place[1][pointi], place[2][pointi]),
-                celli,
-                handed
+                materialPoint
+                (
+                    mesh,
+                    point(place[0][pointi], place[1][pointi], place[2][pointi]),
+                    celli,
+                    handed
+                )
             );
-            cloud.addParticle(added);
-            points[celli].append(added);
+            points[celli].append(&added);
             filled[celli] += handed[2];
             ++nAdded;
         }

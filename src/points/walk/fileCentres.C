@@ -27,13 +27,13 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::pointField Foam::fileCentres::places(const Cloud<materialPoint>& cloud)
+Foam::pointField Foam::fileCentres::places(const pointList& points) const
 {
-    pointField places(cloud.size());
+    pointField places(points.size());
     label i = 0;
-    for (const materialPoint& p : cloud)
+    for (const materialPoint& p : points)
     {
-        places[i++] = p.position();
+        places[i++] = p.position(mesh_);
     }
 
     return places;
@@ -42,13 +42,13 @@ Foam::pointField Foam::fileCentres::places(const Cloud<materialPoint>& cloud)
 
 void Foam::fileCentres::put
 (
-    Cloud<materialPoint>& cloud,
+    pointList& points,
     const planarWalk& walk,
     const pointField& places
 )
 {
     label i = 0;
-    for (materialPoint& p : cloud)
+    for (materialPoint& p : points)
     {
         walk.put(p, places[i++]);
     }
@@ -83,7 +83,7 @@ Foam::fileCentres::fileCentres(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fileCentres::read(Cloud<materialPoint>& cloud) const
+void Foam::fileCentres::read(pointList& points) const
 {
     if (!file_)
     {
@@ -93,15 +93,15 @@ void Foam::fileCentres::read(Cloud<materialPoint>& cloud) const
     pointField at;
     {
         const volumeCentres files(mesh_);
-        at = places(cloud);
+        at = places(points);
     }
-    put(cloud, *run_, at);
+    put(points, *run_, at);
 }
 
 
 void Foam::fileCentres::write
 (
-    Cloud<materialPoint>& cloud,
+    pointList& points,
     const std::function<void()>& act
 ) const
 {
@@ -111,14 +111,14 @@ void Foam::fileCentres::write
         return;
     }
 
-    pointField at(places(cloud));
+    pointField at(places(points));
     {
         const volumeCentres files(mesh_);
-        put(cloud, *file_, at);
+        put(points, *file_, at);
         act();
-        at = places(cloud);
+        at = places(points);
     }
-    put(cloud, *run_, at);
+    put(points, *run_, at);
 }
 
 

@@ -21,10 +21,11 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "materialPoint.H"
+#include "planarSteps.H"
 #include "planarWalk.H"
 #include "pointVelocity.H"
 #include "pointIntegration.H"
+#include "trackedPoint.H"
 #include <cmath>
 
 // * * * * * * * * * * * * * * * Local Constants * * * * * * * * * * * * * * //
@@ -40,7 +41,8 @@ static const Foam::label mostParts = 1000;
 
 void Foam::planarSteps::take
 (
-    materialPoint& first,
+    pointList::iterator& next,
+    const pointList::iterator& end,
     const pointTracking& td
 )
 {
@@ -49,15 +51,13 @@ void Foam::planarSteps::take
     start_.setSize(mostPoints);
 
     label n = 0;
-    for (materialPoint* p = &first; p && n < mostPoints; p = p->following())
+    for (; n < mostPoints && next != end; ++next)
     {
-        if (p->atRest() && p->stepFraction() < 1)
-        {
-            points_[n] = p;
-            cells_[n] = p->cell();
-            start_[n] = walk_->place(*p);
-            ++n;
-        }
+        materialPoint& p = *next;
+        points_[n] = &p;
+        cells_[n] = p.cell();
+        start_[n] = walk_->place(p);
+        ++n;
     }
 
     points_.setSize(n);
@@ -68,7 +68,6 @@ void Foam::planarSteps::take
     U_.setSize(n);
     sum_.setSize(n);
     sum_ = Zero;
-    next_ = 0;
 
     // Parts of a step are for points one by one
     done_.setSize(n);
@@ -163,7 +162,7 @@ bool Foam::planarSteps::inParts
         {
             return false;
         }
-        const scalar part = materialPoint::partOf(1 - begin, td.courant[celli]);
+        const scalar part = trackedPoint::partOf(1 - begin, td.courant[celli]);
 
         const vector2D origin(at);
         vector2D U, sum(Zero);
@@ -190,26 +189,40 @@ bool Foam::planarSteps::inParts
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::planarSteps::stepSlowly
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::planarSteps::step
 (
-    materialPoint& p,
-    const pointTracking& td
+    pointList& points,
+    const pointTracking& td,
+    const std::function<void(materialPoint&)>& other
 )
 {
     if (!walk_)
     {
-        return false;
+        for (materialPoint& p : points)
+        {
+            other(p);
+        }
+        return;
     }
 
-    if (!isNext(p))
+    pointList::iterator next(points.begin());
+    const pointList::iterator end(points.end());
+    while (next != end)
     {
-        take(p, td);
+        take(next, end, td);
         stepAll(td);
+        forAll(points_, j)
+        {
+            materialPoint& p = *points_[j];
+            if (!done_[j] && !(td.courant[p.cell()] > 1 && inParts(p, td)))
+            {
+                other(p);
+            }
+        }
     }
-
-    const label i = next_++;
-
-    return done_[i] || (td.courant[p.cell()] > 1 && inParts(p, td));
 }
 
 

@@ -51,7 +51,7 @@ void Foam::pointProperties::residenceTime::step
     bool counts = within_.empty();
     for (const pointRegion& region : within_)
     {
-        counts = counts || region.contains(p.position());
+        counts = counts || region.contains(p.position(mesh()));
     }
     if (counts)
     {

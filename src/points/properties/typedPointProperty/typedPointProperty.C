@@ -88,7 +88,7 @@ Type Foam::typedPointProperty<Type>::startValue(const materialPoint& p) const
 {
     for (label i = regions_.size() - 1; i >= 0; --i)
     {
-        if (regions_[i].contains(p.position()))
+        if (regions_[i].contains(p.position(mesh_)))
         {
             return regionValue_[i];
         }
@@ -112,6 +112,7 @@ Foam::typedPointProperty<Type>::typedPointProperty
 )
 :
     pointProperty(name, first),
+    mesh_(mesh),
     start_(get(dict, "start", pTraits<Type>::zero)),
     inflow_(get(dict, "inflow", start_))
 {
@@ -241,7 +242,13 @@ bool Foam::typedPointProperty<Type>::read(materialPointCloud& cloud) const
     }
 
     const IOField<Type> values(io, valid);
-    cloud.checkFieldIOobject(cloud, values);
+    if (values.size() != cloud.size())
+    {
+        FatalErrorInFunction
+            << "Size of " << values.objectPath() << " is " << values.size()
+            << nl << "    Allowed: one value for each of the " << cloud.size()
+            << " points" << exit(FatalError);
+    }
 
     label i = 0;
     for (materialPoint& p : cloud)

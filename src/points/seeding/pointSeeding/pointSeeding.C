@@ -212,12 +212,14 @@ void Foam::pointSeeding::seed(materialPointCloud& cloud) const
             const label m = regionMaterial_[r];
             ++nIn[r];
 
-            materialPoint* seeded = new materialPoint
+            materialPoint& seeded = cloud.add
             (
-                mesh_, p, celli, m, dye(p, m), V[celli]/pointsPerCell_
+                materialPoint
+                (
+                    mesh_, p, celli, m, dye(p, m), V[celli]/pointsPerCell_
+                )
             );
-            cloud.properties().start(*seeded);
-            cloud.addParticle(seeded);
+            cloud.properties().start(seeded);
         }
     }
 

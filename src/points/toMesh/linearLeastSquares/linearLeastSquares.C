@@ -59,7 +59,7 @@ Foam::tmp<Foam::scalarField> Foam::pointAverages::linearLeastSquares::weights
     for (const materialPoint& p : cloud)
     {
         const label celli = p.cell();
-        const vector d(p.position() - mesh.cellCentres()[celli]);
+        const vector d(p.position(mesh) - mesh.cellCentres()[celli]);
         const scalar V = p.volume();
         x[i] = d[i0];
         y[i] = d[i1];
