@@ -54,7 +54,7 @@ Foam::planarCells::planarCells(const fvMesh& mesh)
 
 Foam::pointField Foam::planarCells::corners(const label celli) const
 {
-    pointField corners(mesh_.faces()[face_[celli]].points(mesh_.points()));
+    pointField corners(outline(celli).points(mesh_.points()));
     for (point& corner : corners)
     {
         if (axial_.active())

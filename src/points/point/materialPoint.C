@@ -75,11 +75,11 @@ Foam::materialPoint::materialPoint
     volume_(volume),
     cell_(p.cell()),
     tetFace_(p.tetFace()),
-    tetPt_(p.tetPt()),
     origProc_(p.origProc()),
     origId_(p.origId()),
-    material_(material),
-    dye_(dye)
+    dye_(dye),
+    tetPt_(few(p.tetPt())),
+    material_(few(material))
 {}
 
 

@@ -137,30 +137,39 @@ Foam::planarWalk::planarWalk(const polyMesh& mesh)
     }
 
     DynamicList<edgeOfCell> edges;
+    DynamicList<scalar> leans;
+    bool leaning = false;
     forAll(centres_, celli)
     {
         centres_[celli] = frame_.inPlane(mesh.cellCentres()[celli]);
         for (const label facei : mesh.cells()[celli])
         {
             edgeOfCell e;
+            scalar lean = 1;
             if (side[facei])
             {
-                possible_ = possible_ && setEdge(celli, facei, e);
-                edges.append(e);
+                possible_ = possible_ && setEdge(celli, facei, e, lean);
             }
             else if
             (
-                axial.active()
-             && mesh.faceCentres()[facei][normal] > middle_[normal]
-             && setAxisEdge(celli, facei, e)
+                !axial.active()
+             || mesh.faceCentres()[facei][normal] <= middle_[normal]
+             || !setAxisEdge(celli, facei, e, lean)
             )
             {
-                edges.append(e);
+                continue;
             }
+            edges.append(e);
+            leans.append(lean);
+            leaning = leaning || lean != 1;
         }
         start_[celli + 1] = edges.size();
     }
     edges_.transfer(edges);
+    if (leaning)
+    {
+        lean_.transfer(leans);
+    }
 
     reduce(possible_, andOp<bool>());
 }

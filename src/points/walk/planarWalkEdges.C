@@ -114,7 +114,8 @@ bool Foam::planarWalk::setAxisEdge
 (
     const label celli,
     const label facei,
-    edgeOfCell& e
+    edgeOfCell& e,
+    scalar& lean
 ) const
 {
     const direction normal = frame_.normalAxis();
@@ -146,7 +147,7 @@ bool Foam::planarWalk::setAxisEdge
 
         e.face = facei;
         e.beyond = -1;
-        e.lean = -1;
+        lean = -1;
         e.corners[0] = e.corners[1] = -1;
         const vector2D first(frame_.inPlane(points[tri[on[0]]]));
         vector2D from(first), to(frame_.inPlane(points[tri[on[1]]]));
@@ -172,7 +173,8 @@ bool Foam::planarWalk::setEdge
 (
     const label celli,
     const label facei,
-    edgeOfCell& e
+    edgeOfCell& e,
+    scalar& lean
 ) const
 {
     const direction normal = frame_.normalAxis();
@@ -213,7 +215,7 @@ bool Foam::planarWalk::setEdge
         Swap(corners[0], corners[1]);
     }
 
-    e.lean = depths[0] > 0 ? depths[1]/depths[0] : VGREAT;
+    lean = depths[0] > 0 ? depths[1]/depths[0] : VGREAT;
     e.face = facei;
     e.corners[0] = corners[0];
     e.corners[1] = corners[1];

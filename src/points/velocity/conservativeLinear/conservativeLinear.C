@@ -176,7 +176,7 @@ Foam::scalarField Foam::pointVelocities::conservativeLinear::slopes
     {
         for (label i = start_[celli]; i < start_[celli + 1]; ++i)
         {
-            if (sign_[i] > 0)
+            if (faces_[i] >= 0 && mesh.faceOwner()[faces_[i]] == celli)
             {
                 // Along the edge, and outward with the same length
                 const vector t(edge(celli, i - start_[celli]));

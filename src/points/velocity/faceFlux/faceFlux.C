@@ -63,7 +63,7 @@ Foam::vector Foam::pointVelocities::faceFlux::inTriangle
             (flux_[s + i] - 0.5*slope_[s + i])*edge(k)
           - (flux_[s + k] + 0.5*slope_[s + k])*edge(i)
         );
-        const vector d(p - corners_[s + (i + 1) % 3]);
+        const vector d(p - faceFlux::corner(s + (i + 1) % 3));
         U += frame_.cross(edge(i + 1), d)/sqr(twoA)*corner;
     }
     return U;
@@ -79,13 +79,14 @@ Foam::vector Foam::pointVelocities::faceFlux::inQuadrilateral
     // In the plane, from the first corner: the sides to its neighbours and
     // what the fourth is off a parallelogram
     const label s = start_[celli];
-    const vector2D o(frame_.inPlane(corners_[s]));
-    const vector2D a(frame_.inPlane(corners_[s + 1]) - o);
-    const vector2D b(frame_.inPlane(corners_[s + 3]) - o);
-    const vector2D c
-    (
-        frame_.inPlane(corners_[s + 2] - corners_[s + 1]) - b
-    );
+    auto corner = [&](const label i)
+    {
+        return frame_.inPlane(points_[corners_[s + i]]);
+    };
+    const vector2D o(corner(0));
+    const vector2D a(corner(1) - o);
+    const vector2D b(corner(3) - o);
+    const vector2D c((corner(2) - corner(1)) - b);
     const vector2D d(frame_.inPlane(p) - o);
     const bool affine = fluxBox::is(a, b, c);
 
@@ -178,9 +179,17 @@ void Foam::pointVelocities::faceFlux::takeFluxes()
         }
     }
 
-    forAll(flux_, i)
+    for (label celli = 0; celli + 1 < start_.size(); ++celli)
     {
-        flux_[i] = faces_[i] < 0 ? 0 : sign_[i]*all[faces_[i]]/depth_;
+        for (label i = start_[celli]; i < start_[celli + 1]; ++i)
+        {
+            const label facei = faces_[i];
+            if (facei >= 0)
+            {
+                const bool out = mesh.faceOwner()[facei] == celli;
+                flux_[i] = (out ? all[facei] : -all[facei])/depth_;
+            }
+        }
     }
 }
 
@@ -203,9 +212,8 @@ void Foam::pointVelocities::faceFlux::setSlopes(const scalarField& slopes)
             if (faces_[i] >= 0)
             {
                 const vector t(edge(celli, i - start_[celli]));
-                const scalar r = axial_.radius(corners_[i] + 0.5*t);
-                const bool ends =
-                    onAxis(corners_[i]) || onAxis(corners_[i] + t);
+                const scalar r = axial_.radius(corner(i) + 0.5*t);
+                const bool ends = onAxis(corner(i)) || onAxis(corner(i) + t);
 
                 slope_[i] =
                     (ends ? 0 : r*slope_[i]) + flux_[i]*t[axial_.radial()]/r;
@@ -256,6 +264,7 @@ Foam::pointVelocities::faceFlux::faceFlux
     phi_(phi),
     frame_(U.mesh()),
     axial_(U.mesh()),
+    points_(U.mesh().points()),
     start_(U.size() + 1, Zero)
 {
     const fvMesh& mesh = U.mesh();
@@ -267,17 +276,14 @@ Foam::pointVelocities::faceFlux::faceFlux
     fan_.setSize(mesh.nCells(), -1);
 
     const planarCells cells(mesh);
-    List<pointField> corners(mesh.nCells());
-    forAll(corners, celli)
+    forAll(fan_, celli)
     {
-        corners[celli] = cells.corners(celli);
-        start_[celli + 1] = start_[celli] + corners[celli].size();
+        start_[celli + 1] = start_[celli] + cells.outline(celli).size();
     }
 
     const label n = start_.last();
     corners_.setSize(n);
     faces_.setSize(n);
-    sign_.setSize(n);
     flux_.setSize(n, Zero);
     slope_.setSize(n, Zero);
 
@@ -286,9 +292,9 @@ Foam::pointVelocities::faceFlux::faceFlux
         boxes_.setSize(mesh.nCells());
         box_.setSize(mesh.nCells(), false);
     }
-    forAll(corners, celli)
+    forAll(fan_, celli)
     {
-        setCorners(celli, corners[celli]);
+        setCorners(celli, cells.outline(celli));
         setFaces(celli);
         makeFan(celli);
         makeBox(celli);

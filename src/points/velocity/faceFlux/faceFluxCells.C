@@ -24,14 +24,13 @@ License
 #include "faceFlux.H"
 #include "planarCells.H"
 #include "oneLayer.H"
-#include "meshTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::pointVelocities::faceFlux::setCorners
 (
     const label celli,
-    const pointField& corners
+    const labelUList& corners
 )
 {
     const label n = corners.size();
@@ -40,9 +39,10 @@ void Foam::pointVelocities::faceFlux::setCorners
     scalar area = 0;
     for (label i = 2; i < n; ++i)
     {
+        const point& o = points_[corners[0]];
         area += frame_.cross
         (
-            corners[i - 1] - corners[0], corners[i] - corners[0]
+            points_[corners[i - 1]] - o, points_[corners[i]] - o
         );
     }
     const bool clockwise = area < 0;
@@ -54,7 +54,7 @@ void Foam::pointVelocities::faceFlux::setCorners
     label first = 0;
     for (label i = 0; i < n; ++i)
     {
-        if (onAxis(corner(i)) && onAxis(corner(i + 1)))
+        if (onAxis(points_[corner(i)]) && onAxis(points_[corner(i + 1)]))
         {
             first = i + 1;
         }
@@ -75,10 +75,9 @@ void Foam::pointVelocities::faceFlux::setFaces(const label celli)
 
     for (label i = 0; i < n; ++i)
     {
-        const point& from = corners_[start + i];
+        const point from(corner(start + i));
         const point middle(from + 0.5*edge(celli, i));
         faces_[start + i] = -1;
-        sign_[start + i] = 0;
         if (onAxis(from) && onAxis(middle))
         {
             continue;
@@ -108,8 +107,6 @@ void Foam::pointVelocities::faceFlux::setFaces(const label celli)
             {
                 nearest = distance;
                 faces_[start + i] = facei;
-                sign_[start + i] =
-                    mesh.faceOwner()[facei] == celli ? 1 : -1;
             }
         }
     }
@@ -120,7 +117,11 @@ void Foam::pointVelocities::faceFlux::makeFan(const label celli)
 {
     const label start = start_[celli];
     const label n = start_[celli + 1] - start;
-    const SubList<point> corners(corners_, n, start);
+    pointField corners(n);
+    forAll(corners, i)
+    {
+        corners[i] = corner(start + i);
+    }
 
     if (n == 3 || (n == 4 && planarCells::turns(corners).size() == 4))
     {
@@ -136,8 +137,10 @@ void Foam::pointVelocities::faceFlux::makeFan(const label celli)
             << " materialPointsProperties" << exit(FatalError);
     }
 
-    point centre(phi_.mesh().cellCentres()[celli]);
-    meshTools::constrainToMeshCentre(phi_.mesh(), centre);
+    const point centre
+    (
+        frame_.inSpace(frame_.inPlane(phi_.mesh().cellCentres()[celli]))
+    );
 
     fan_[celli] = fans_.size();
     fanCells_.append(celli);
@@ -164,10 +167,10 @@ void Foam::pointVelocities::faceFlux::makeBox(const label celli)
         return;
     }
 
-    const vector2D o(frame_.inPlane(corners_[s]));
-    const vector2D a(frame_.inPlane(corners_[s + 1]) - o);
-    const vector2D b(frame_.inPlane(corners_[s + 3]) - o);
-    const vector2D d(frame_.inPlane(corners_[s + 2]) - o);
+    const vector2D o(frame_.inPlane(corner(s)));
+    const vector2D a(frame_.inPlane(corner(s + 1)) - o);
+    const vector2D b(frame_.inPlane(corner(s + 3)) - o);
+    const vector2D d(frame_.inPlane(corner(s + 2)) - o);
     box_[celli] = fluxBox::is(a, b, d - a - b);
     boxes_[celli] = fluxBox(o, a, b);
 }
