@@ -276,7 +276,7 @@ void Foam::materialPointCloud::predict
     PtrList<volScalarField>& fractions
 )
 {
-    pointList start(*this);
+    materialPointList start(*this);
 
     takeFlow(dt);
     track(0.5*dt);

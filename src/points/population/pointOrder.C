@@ -53,7 +53,7 @@ void Foam::pointOrder::sort(materialPointCloud& cloud)
     }
 
     // Each change puts one where it belongs
-    const pointList::iterator points(cloud.begin());
+    const materialPointList::iterator points(cloud.begin());
     forAll(place, i)
     {
         while (place[i] != i)

@@ -27,7 +27,10 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::pointField Foam::fileCentres::places(const pointList& points) const
+Foam::pointField Foam::fileCentres::places
+(
+    const materialPointList& points
+) const
 {
     pointField places(points.size());
     label i = 0;
@@ -42,7 +45,7 @@ Foam::pointField Foam::fileCentres::places(const pointList& points) const
 
 void Foam::fileCentres::put
 (
-    pointList& points,
+    materialPointList& points,
     const planarWalk& walk,
     const pointField& places
 )
@@ -83,7 +86,7 @@ Foam::fileCentres::fileCentres(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fileCentres::read(pointList& points) const
+void Foam::fileCentres::read(materialPointList& points) const
 {
     if (!file_)
     {
@@ -101,7 +104,7 @@ void Foam::fileCentres::read(pointList& points) const
 
 void Foam::fileCentres::write
 (
-    pointList& points,
+    materialPointList& points,
     const std::function<void()>& act
 ) const
 {

@@ -41,8 +41,8 @@ static const Foam::label mostParts = 1000;
 
 void Foam::planarSteps::take
 (
-    pointList::iterator& next,
-    const pointList::iterator& end,
+    materialPointList::iterator& next,
+    const materialPointList::iterator& end,
     const pointTracking& td
 )
 {
@@ -189,12 +189,9 @@ bool Foam::planarSteps::inParts
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 void Foam::planarSteps::step
 (
-    pointList& points,
+    materialPointList& points,
     const pointTracking& td,
     const std::function<void(materialPoint&)>& other
 )
@@ -208,8 +205,8 @@ void Foam::planarSteps::step
         return;
     }
 
-    pointList::iterator next(points.begin());
-    const pointList::iterator end(points.end());
+    materialPointList::iterator next(points.begin());
+    const materialPointList::iterator end(points.end());
     while (next != end)
     {
         take(next, end, td);

@@ -21,19 +21,19 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "pointList.H"
+#include "materialPointList.H"
 #include <algorithm>
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::pointList::drop(materialPoint& p)
+void Foam::materialPointList::drop(materialPoint& p)
 {
     p.setGone();
     ++nGone_;
 }
 
 
-void Foam::pointList::closeUp()
+void Foam::materialPointList::closeUp()
 {
     if (nGone_)
     {
@@ -48,14 +48,14 @@ void Foam::pointList::closeUp()
 }
 
 
-void Foam::pointList::clear()
+void Foam::materialPointList::clear()
 {
     points_.clear();
     nGone_ = 0;
 }
 
 
-void Foam::pointList::exchange(pointList& other)
+void Foam::materialPointList::exchange(materialPointList& other)
 {
     points_.swap(other.points_);
     std::swap(nGone_, other.nGone_);
