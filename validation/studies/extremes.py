@@ -81,21 +81,8 @@ def layers(rows):
             rows.append(row)
 
 
-def study():
-    """Rows: scene, the parameters that differ from DEFAULT, iterations (to
-    1e-6), iterations8 (to 1e-8), converged, error (the program's message),
-    residual, change (of U, relative, from 1e-6 to 1e-8), solver, cpu [s];
-    errU for the layer."""
-    rows = []
-    for parameters in blocks():
-        given = {**DEFAULT, **parameters}
-        case = block(HERE/"runs/extremes/block", **given, tolerance=1e-6)
-        rows.append(measure(case, "block", given))
-    for case, parameters in silos():
-        case.run("blockMesh")
-        rows.append(measure(case, "silo", parameters))
-    layers(rows)
-
+def draw(rows):
+    """Iterations against R, etaC/eta and the contrast."""
     figure, axes = plt.subplots(1, 2, figsize=(10, 4), dpi=130, sharey=True)
     own = [row for row in rows if row["scene"] == "block"
            and row["iterations"] is not None]
@@ -119,7 +106,25 @@ def study():
     for axis in axes:
         axis.set_ylim(bottom=0)
         axis.grid(alpha=0.3)
-        axis.legend(fontsize=8)
+    axes[0].legend(fontsize=8, ncol=2, loc=(0.3, 0.12))
+    axes[1].legend(fontsize=8, loc="lower center")
     save(figure, "extremes")
     plt.close(figure)
+
+
+def study():
+    """Rows: scene, the parameters that differ from DEFAULT, iterations (to
+    1e-6), iterations8 (to 1e-8), converged, error (the program's message),
+    residual, change (of U, relative, from 1e-6 to 1e-8), solver, cpu [s];
+    errU for the layer."""
+    rows = []
+    for parameters in blocks():
+        given = {**DEFAULT, **parameters}
+        case = block(HERE/"runs/extremes/block", **given, tolerance=1e-6)
+        rows.append(measure(case, "block", given))
+    for case, parameters in silos():
+        case.run("blockMesh")
+        rows.append(measure(case, "silo", parameters))
+    layers(rows)
+    draw(rows)
     return rows
