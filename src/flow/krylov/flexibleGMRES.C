@@ -162,9 +162,8 @@ void Foam::flexibleGMRES::recycle(operatorState& s, const label nColumns)
         c.negate();
 
         scalarList h(n, Zero);
-        const scalar before = Foam::sqrt(gSumSqr(c));
         const scalar length = orthogonalise(c, n, h);
-        if (length > same*before)
+        if (length > same*Foam::sqrt(sqr(length) + sumSqr(h)))
         {
             c /= length;
             recycled_.normalise(j, n, h, length);
@@ -249,6 +248,37 @@ Foam::label Foam::flexibleGMRES::cycle
 }
 
 
+Foam::label Foam::flexibleGMRES::takeAway
+(
+    scalarField& dx,
+    scalarField& left,
+    const scalar target,
+    const label maxIter,
+    operatorState& s
+)
+{
+    const scalarField first(left);
+    dx = scalarField(first.size(), Zero);
+    label iterations = 0;
+
+    while (Foam::sqrt(gSumSqr(left)) > target && iterations < maxIter)
+    {
+        const label done =
+            cycle(dx, left, 0.9*target, maxIter - iterations, s, nullptr);
+        iterations += done;
+        weightedResidual(dx, false, s, left);
+        left += first;
+
+        if (done == 0)
+        {
+            break;
+        }
+    }
+
+    return iterations;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::flexibleGMRES::flexibleGMRES
@@ -270,10 +300,7 @@ Foam::flexibleGMRES::flexibleGMRES
     z_(nDirections_),
     tangent_(nullptr)
 {
-    if
-    (
-        !(tolerance_ > 0 && tolerance_ < 1) || maxIter_ < 1 || nDirections_ < 1
-    )
+    if (!(tolerance_ > 0 && tolerance_ < 1) || maxIter_ < 1 || nDirections_ < 1)
     {
         FatalIOErrorInFunction(controls)
             << "tolerance is " << tolerance_ << ", maxIter " << maxIter_
@@ -323,38 +350,35 @@ Foam::flexibleGMRES::performance Foam::flexibleGMRES::solve
         stop->start(s);
     }
 
-    // What is left after the first cycle may be below what x can hold: the
-    // rest is kept beside it
-    scalarField rest, before;
-    while (residual > tolerance_ && result.iterations < maxIter_)
+    const scalar target = tolerance_*reference;
+    while
+    (
+        residual > tolerance_ && result.iterations < maxIter_
+     && (stop || !result.iterations)
+    )
     {
-        if (result.iterations && !stop && rest.empty())
-        {
-            rest = scalarField(x.size(), Zero);
-            before = r;
-        }
         const label done = cycle
         (
-            rest.empty() ? x : rest, r, 0.9*tolerance_*reference,
-            maxIter_ - result.iterations, s, stop
+            x, r, 0.9*target, maxIter_ - result.iterations, s, stop
         );
         result.iterations += done;
 
-        if (rest.empty())
-        {
-            weightedResidual(x, true, s, r);
-        }
-        else
-        {
-            weightedResidual(rest, false, s, r);
-            r += before;
-        }
+        weightedResidual(x, true, s, r);
         residual = Foam::sqrt(gSumSqr(r))/reference;
 
         if (done == 0 || (stop && stop->reached()))
         {
             break;
         }
+    }
+
+    // What is left may be below what x can hold: it is kept beside it
+    scalarField rest;
+    if (residual > tolerance_ && result.iterations && !stop)
+    {
+        result.iterations +=
+            takeAway(rest, r, target, maxIter_ - result.iterations, s);
+        residual = Foam::sqrt(gSumSqr(r))/reference;
     }
 
     result.final = norms(r, reference);
@@ -390,27 +414,13 @@ Foam::label Foam::flexibleGMRES::correct
     forget();
 
     operatorState s(system_.newState());
-    scalarField first(r), left, dx(x.size(), Zero);
-    motions_.removeFromResidual(first);
-    first *= system_.weights();
-    left = first;
-    const scalar target = share*Foam::sqrt(gSumSqr(first));
-    label iterations = 0;
+    scalarField left(r), dx;
+    motions_.removeFromResidual(left);
+    left *= system_.weights();
 
     tangent_ = tangent;
-    while (Foam::sqrt(gSumSqr(left)) > target && iterations < maxIter_)
-    {
-        const label done =
-            cycle(dx, left, 0.9*target, maxIter_ - iterations, s, nullptr);
-        iterations += done;
-        weightedResidual(dx, false, s, left);
-        left += first;
-
-        if (done == 0)
-        {
-            break;
-        }
-    }
+    const label iterations =
+        takeAway(dx, left, share*Foam::sqrt(gSumSqr(left)), maxIter_, s);
     tangent_ = nullptr;
 
     x += dx;

@@ -56,6 +56,7 @@ void Foam::recycledDirections::combine
 {
     const label nBefore = size(), n = columns.m() - nBefore;
     scalarList before(nBefore), now(n);
+    directionSet next(which.size());
 
     forAll(which, i)
     {
@@ -67,14 +68,13 @@ void Foam::recycledDirections::combine
         {
             now[j] = columns(nBefore + j, which[i]);
         }
-        next_[i].setSize(z[0].size());
-        next_[i] = Zero;
-        u_.add(before, next_[i]);
-        z.add(now, next_[i]);
+        next[i] = scalarField(z[0].size(), Zero);
+        u_.add(before, next[i]);
+        z.add(now, next[i]);
     }
     forAll(which, i)
     {
-        u_[i].transfer(next_[i]);
+        u_[i].transfer(next[i]);
     }
 }
 
@@ -84,8 +84,7 @@ void Foam::recycledDirections::combine
 Foam::recycledDirections::recycledDirections(const dictionary& controls)
 :
     most_(readMost(controls)),
-    u_(most_),
-    next_(most_)
+    u_(most_)
 {}
 
 
